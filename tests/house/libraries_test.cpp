@@ -10,6 +10,7 @@ namespace {
 /// A library and the one folder that may include it.
 struct Home {
   std::string prefix, folder;
+  std::string writer{};  ///< A second folder, which writes what the first one reads; empty: none.
 };
 
 // The first that fits counts. Eigen, fmt and the standard library are at home everywhere.
@@ -32,7 +33,7 @@ const std::vector<Home> homes{
     {"glog/", "engine/analyse/estimation"},
     {"nlopt", "engine/analyse/tuning"},
     {"zip.h", "engine/base/fmi"},
-    {"pugixml", "engine/base/fmi"},
+    {"pugixml", "engine/base/fmi", "engine/base/junit"},
     {"pybind11/", "engine/app/python"},
     {"Python.h", "engine/app/python"},
     {"xxhash", "engine/base/hash"},
@@ -67,7 +68,8 @@ std::vector<Use> uses() {
 TEST_CASE("each library is included in one folder only") {
   for (const Use& use : uses()) {
     INFO(use.line.place() << ": " << use.line.text);
-    CHECK(folder_of(use.line.file) == use.home->folder);
+    const std::string folder = folder_of(use.line.file);
+    CHECK((folder == use.home->folder || folder == use.home->writer));
   }
 }
 

@@ -36,10 +36,12 @@ enum class Reduction {
   iae,
   steady_error,
   fraction_of_runs,
-  quantile_of_runs
+  quantile_of_runs,
+  like
 };
 
 struct RunFormula;
+struct Likeness;
 
 /// True for a reduction over several runs, each of which contributes one number.
 inline bool is_of_runs(Reduction reduction) {
@@ -77,6 +79,7 @@ struct Claim {
   double time = 0.0;                           ///< Time of `at`, in s.
   double share = 0.5;                          ///< Share of `quantile`, 0 to 1.
   std::shared_ptr<const RunFormula> of_run{};  ///< Number per run, for reductions over several runs.
+  std::shared_ptr<Likeness> like{};            ///< Baseline of the claim `like`; nullptr for any other.
   std::optional<double> confidence{};  ///< Confidence level at which the comparison must hold; std::nullopt:
                                        ///< the estimate alone decides.
   bool each_run = false;  ///< True: judged for each run of a sweep, and the worst run is shown. Always so for
@@ -94,7 +97,8 @@ struct Verdict {
   Claim::Kind kind = Claim::Kind::statement;
   std::string that;
   std::string check;
-  double value = 0.0;  ///< Reduced value in SI (percent for fit); nan if undefined.
+  double value = 0.0;  ///< Reduced value in SI; nan if undefined. For fit in percent, for like the largest
+                       ///< difference divided by its tolerance.
   std::string shown;   ///< The value with its unit, for reports.
   bool holds = false;
   std::string disagrees;  ///< Reason given in the file; empty if it gives none.
@@ -131,7 +135,7 @@ std::vector<std::optional<double>> values_of_runs(const Claim& claim,
 /// Judges a claim on the recordings.
 Verdict judge(const Claim& claim, std::span<const record::Recording> recordings);
 
-/// Returns the keys of the reductions, in the order of `Reduction`.
+/// Returns the keys of the reductions of a formula, in the order of `Reduction`.
 const std::vector<std::string>& reduction_names();
 
 /// Returns the dimension of the reduced value; std::nullopt if unknown.

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/analyse/claim/claim.hpp"
+#include "engine/analyse/claim/likeness.hpp"
 #include "engine/analyse/claim/reduce.hpp"
 #include "engine/analyse/claim/run_formula.hpp"
 #include "engine/analyse/query/number.hpp"
@@ -181,6 +182,7 @@ void read_between(const yaml::Node& node, Claim& claim, const query::NamesReadin
 
 /// Reads the tolerance of `equals`.
 void read_within(Claim& claim, const yaml::Node& node, const query::NamesReading& read) {
+  if (claim.like) return read_likeness_within(*claim.like, node, read);
   Comparison& comparison = claim.comparison;
   const auto number = query::read_number(node, read.names, read.subject, read.faults);
   if (!number || comparison.kind != Comparison::Kind::equals) return;
@@ -343,6 +345,23 @@ ClaimRow comparison(Comparison::Kind kind, std::string name, std::string sign, s
                                }});
 }
 
+/// Returns the row of a key beside `like`.
+ClaimRow like_row(std::string name, std::string doc, yaml::Key form,
+                  void (*set)(Likeness&, const yaml::Node&, const query::NamesReading&)) {
+  return yaml::beside({"like"},
+                      ClaimRow{std::move(name), std::move(doc), std::move(form),
+                               [set](Claim& claim, const yaml::Node& node, const query::NamesReading& read) {
+                                 if (claim.like) set(*claim.like, node, read);
+                               }});
+}
+
+void read_like(Claim& claim, const yaml::Node& node, const query::NamesReading& read) {
+  claim.reduction = Reduction::like;
+  claim.comparison.kind = Comparison::Kind::at_most;
+  claim.comparison.low = 1.0;
+  claim.like = read_baseline(node, read);
+}
+
 void read_disagreement(Claim& claim, const yaml::Node& node, const query::NamesReading& read) {
   if (claim.kind == Claim::Kind::invariant)
     return read.fault(node.mark, "an invariant always holds; what a source says stands under 'claims'");
@@ -411,6 +430,10 @@ std::vector<ClaimRow> claim_rows() {
                 "what this share of the runs lies below in a number of a run: {share: 95 %, value: max(x)}",
                 two("{share: 95 %, value: max(x)}", yaml::key("share", "0 to 1, or in %", share_form()),
                     yaml::key("value", "what", form::expression()))),
+      yaml::one_of(
+          "reduction and comparison",
+          ClaimRow{"like", "recorded signals that each run agrees with: baseline.csv; see within and jitter",
+                   form::string(), read_like}),
       comparison(Comparison::Kind::equals, "equals", "=", "the reduced value is this; see within"),
       comparison(Comparison::Kind::at_most, "at_most", "<=", "the reduced value is this or less"),
       comparison(Comparison::Kind::at_least, "at_least", ">=", "the reduced value is this or more"),
@@ -421,8 +444,13 @@ std::vector<ClaimRow> claim_rows() {
                               claim.comparison.kind = Comparison::Kind::between;
                               read_between(node, claim, read);
                             }}),
-      yaml::beside({"equals"}, ClaimRow{"within", "tolerance of `equals`: 0.1 N, or relative: 1 %",
-                                        form::computed(), read_within}),
+      yaml::beside({"equals", "like"},
+                   ClaimRow{"within", "tolerance of `equals` or `like`: 0.1 N, or relative: 1 %",
+                            form::computed(), read_within}),
+      like_row("jitter", "time by which an edge may be earlier or later than in the baseline",
+               form::computed("s"), read_likeness_jitter),
+      like_row("signals", "the compared signals of the baseline; without it all are",
+               form::one_or_list(form::text()), read_likeness_signals),
       {"each_run",
        "true: judged for every run of a sweep, the worst is shown; always so for final, at, and what a step "
        "does",
@@ -446,12 +474,22 @@ const yaml::KeyTable<Claim, query::NamesReading>& claim_table() {
   return table;
 }
 
+/// Checks a claim `like` without faults since `faults`, and sets its text.
+Claim finished_likeness(Claim claim, std::size_t faults, const yaml::Node& node,
+                        const query::NamesReading& read) {
+  if (claim.like && read.faults.size() == faults) check_likeness(*claim.like, node, read);
+  if (claim.like) claim.check = likeness_text(*claim.like);
+  claim.each_run = true;
+  return claim;
+}
+
 Claim read_claim(const yaml::Node& node, Claim::Kind kind, const query::NamesReading& read) {
   Claim claim;
   claim.kind = kind;
   claim.place = {read.names.file, node.mark};
   const std::size_t faults = read.faults.size();
   if (!claim_table().read(node, claim, read)) return claim;
+  if (claim.reduction == Reduction::like) return finished_likeness(std::move(claim), faults, node, read);
   if (read.faults.size() == faults) check_can_fail(node, claim, read);
   claim.each_run = claim.each_run || claim.reduction == Reduction::final ||
                    claim.reduction == Reduction::at || is_of_step(claim.reduction);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "engine/analyse/claim/likeness.hpp"
 #include "engine/analyse/claim/run_formula.hpp"
 #include "engine/analyse/statistics/descriptive.hpp"
 #include "engine/analyse/statistics/proportion.hpp"
@@ -205,6 +206,19 @@ double magnitude_of(const Claim& claim, const record::Recording& recording) {
   return largest;
 }
 
+/// Returns the excess of each run over the tolerance of a baseline; nan where it cannot be compared.
+std::vector<std::optional<double>> excesses_of_runs(const Likeness& likeness,
+                                                    std::span<const record::Recording> recordings) {
+  std::vector<std::optional<double>> values;
+  for (std::size_t run = 0; run < recordings.front().starts.size(); ++run) {
+    LikenessFound found;
+    std::vector<record::Recording> one = run_of(recordings, run);
+    add_likeness(likeness, one, run, found);
+    values.push_back(found.fault.empty() ? found.excess : query::nothing);
+  }
+  return values;
+}
+
 }  // namespace
 
 bool keeps_rows(const Claim& claim) {
@@ -216,7 +230,9 @@ void Judge::add(std::span<const record::Recording> runs) {
   if (runs_ > 0 && !missing_.empty()) return;
   missing_.clear();
   try {
-    if (claim_.of_run)
+    if (claim_.like)
+      add_likeness(*claim_.like, runs, runs_, like_);
+    else if (claim_.of_run)
       add_numbers(claim_, runs, numbers_);
     else
       add_rows(runs[claim_.recording]);
@@ -264,7 +280,7 @@ void Judge::add_runs(const Rows& rows) {
 
 void Judge::require_value() const {
   if (!missing_.empty()) throw Unjudged(missing_);
-  if (claim_.of_run) return;
+  if (claim_.of_run || claim_.like) return;
   if (rows_ == 0) throw Unjudged("no row was recorded");
   if (selected_ == 0) throw Unjudged(fmt::format("'{}' selects no row", claim_.where->text));
   if (!trouble_.empty()) throw Unjudged(trouble_);
@@ -289,13 +305,22 @@ std::string Judge::shown(double value, std::optional<std::size_t> worst) const {
   return text;
 }
 
+void Judge::judge_likeness(Verdict& verdict) const {
+  if (!like_.fault.empty()) throw Unjudged(like_.fault);
+  if (!like_.run) throw Unjudged("no row was recorded");
+  verdict.value = like_.excess;
+  verdict.shown = like_.text + (runs_ > 1 ? fmt::format(", the worst of {} runs", runs_) : "");
+  verdict.holds = like_.excess <= 1.0;
+  if (runs_ > 1) verdict.run = like_.run;
+}
+
 Verdict Judge::verdict() const {
   Verdict verdict{claim_.kind, claim_.that, claim_.check,     std::numeric_limits<double>::quiet_NaN(),
                   "none",      false,       claim_.disagrees, ""};
   try {
     require_value();
-    if (claim_.of_run) {
-      judge_runs(claim_, numbers_, verdict);
+    if (claim_.like || claim_.of_run) {
+      claim_.like ? judge_likeness(verdict) : judge_runs(claim_, numbers_, verdict);
       return verdict;
     }
     verdict.value = value();
@@ -319,6 +344,7 @@ Verdict judge(const Claim& claim, std::span<const record::Recording> recordings)
 std::vector<std::optional<double>> values_of_runs(const Claim& claim,
                                                   std::span<const record::Recording> recordings) {
   if (claim.recording >= recordings.size()) return {};
+  if (claim.like) return excesses_of_runs(*claim.like, recordings);
   const Rows rows = rows_of(claim, recordings[claim.recording]);
   std::vector<std::optional<double>> values(rows.starts.size());
   for (std::size_t run = 0; run < values.size(); ++run) {

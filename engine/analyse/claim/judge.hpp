@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/analyse/claim/claim.hpp"
+#include "engine/analyse/claim/likeness.hpp"
 #include "engine/analyse/claim/reduce.hpp"
 
 namespace stepwire::claim {
@@ -26,6 +27,7 @@ class Judge {
   void add_rows(const record::Recording& runs);
   void add_runs(const Rows& rows);
   void require_value() const;
+  void judge_likeness(Verdict& verdict) const;
   double value() const;
   std::string note_of_undefined() const;
   std::string shown(double value, std::optional<std::size_t> worst) const;
@@ -40,6 +42,7 @@ class Judge {
   bool differs_ = false;  ///< True if the runs give different values.
   std::size_t runs_ = 0, rows_ = 0, selected_ = 0, undefined_ = 0;
   std::size_t judged_ = 0;       ///< Number of runs that have a value: those of which `where` selects a row.
+  LikenessFound like_;           ///< Worst run beside a baseline.
   double magnitude_ = 0.0;       ///< Largest recorded number of the same dimension as the value.
   std::vector<double> numbers_;  ///< One number per selected run, for reductions over several runs.
 };

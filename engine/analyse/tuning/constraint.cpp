@@ -23,6 +23,11 @@ bool is_truth(const query::Formula& formula, const std::vector<linear::NamedAnal
 
 void check(const claim::Claim& claim, const std::vector<linear::NamedAnalysis>& linear,
            const yaml::Node& node, const query::NamesReading& read) {
+  if (claim.reduction == Reduction::like)
+    return read.fault(
+        node.mark,
+        "compares a run with a file, which no search follows; 'like' is a key of 'claims', and a "
+        "bound of a number is one here: 'max: abs(x), at_most: 2 mm'");
   const bool shares = claim.reduction == Reduction::fraction || claim.reduction == Reduction::count ||
                       claim.reduction == Reduction::rising;
   if (!shares &&

@@ -73,6 +73,17 @@ session::LoadOptions load_options(const LoadWords& words) {
   return options;
 }
 
+/// Loads a file and acts on it. Reports an exception to the call, and throws it again.
+static ExitCode act_on(const ModelCall& call, const Registry& registry, const std::string& file,
+                       const session::LoadOptions& options, const ModelAction& action, Json& results) {
+  try {
+    return load_and_act(registry, file, options, action, results);
+  } catch (const std::exception& error) {
+    if (call.refused) call.refused(file, error.what());
+    throw;
+  }
+}
+
 ExitCode each_model(const ModelCall& call, const Registry& registry, const ModelAction& action) {
   Json results = Json::list();
   session::LoadOptions options;
@@ -89,7 +100,7 @@ ExitCode each_model(const ModelCall& call, const Registry& registry, const Model
     if (interrupted()) break;
     Json faults;
     const ExitCode one =
-        guarded([&] { return load_and_act(registry, file, options, action, results); }, &faults);
+        guarded([&] { return act_on(call, registry, file, options, action, results); }, &faults);
     if (faults.is_list()) results.push(Json::object().set("file", file).set("faults", std::move(faults)));
     code = worst(code, one);
   }

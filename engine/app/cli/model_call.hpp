@@ -38,6 +38,8 @@ struct ModelCall {
   unsigned threads = 0;     ///< Threads for several runs of a file; 0: all cores.
   bool units = false;
   bool json = false;
+  /// Called with each file that could not be loaded or run, and the reason.
+  std::function<void(const std::string& file, const std::string& fault)> refused{};
 };
 
 /// Declares FILE..., --set, --set-from, --large, --stop, --units, --json.

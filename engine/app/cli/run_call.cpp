@@ -19,6 +19,7 @@
 #include "engine/app/cli/mpi_run.hpp"
 #include "engine/app/cli/run_file.hpp"
 #include "engine/app/cluster/relay.hpp"
+#include "engine/app/report/junit_suites.hpp"
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/io/temporary.hpp"
@@ -100,7 +101,11 @@ ExitCode run_each(const RunCall& call, const Registry& registry, MpiRun* mpi = n
   session::Session session(registry);
   return each_model(call.models, registry, [&](session::LoadedModel& model, Json& results) {
     if (!call.models.json) print_notes(model);
-    return run_file(call, session, model, results, mpi);
+    const std::size_t suites = call.suites ? call.suites->size() : 0;
+    const ExitCode code = run_file(call, session, model, results, mpi);
+    if (call.suites && call.suites->size() == suites)  // a fit failed, or a share was run
+      call.suites->push_back(report::suite_of_fault(model.file, "no whole run was made"));
+    return code;
   });
 }
 
@@ -207,7 +212,23 @@ void add_run_options(CLI::App& verb, RunCall& call, const std::string& out) {
       "of a fit or a tuning");
 }
 
+/// Runs the files and writes their claims as test cases, those of files that cannot be run as errors.
+static ExitCode run_with_report(RunCall call, const Registry& registry) {
+  const auto suites = std::make_shared<std::vector<junit::TestSuite>>();
+  const std::string file = std::exchange(call.junit, "");
+  call.suites = suites;
+  call.models.refused = [suites](const std::string& name, const std::string& fault) {
+    suites->push_back(report::suite_of_fault(name, fault));
+  };
+  const ExitCode code = run_models(call, registry);
+  return worst(code, guarded([&] {
+                 report::write_junit(file, *suites);
+                 return ExitCode::done;
+               }));
+}
+
 ExitCode run_models(const RunCall& call, const Registry& registry) {
+  if (!call.junit.empty()) return run_with_report(call, registry);
   if (!output_is_single(call)) return ExitCode::wrong;
   console_style().data_only = call.csv == standard_output || call.out == standard_output;
   if (call.mpi) return guarded([&] { return run_by_mpi(call, registry); });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -10,6 +11,7 @@
 #include "engine/app/session/signal_files.hpp"
 #include "engine/app/session/studies.hpp"
 #include "engine/app/session/tuning.hpp"
+#include "engine/base/junit/junit.hpp"
 #include "engine/view/render/picture_kind.hpp"
 
 namespace stepwire::cli {
@@ -24,11 +26,14 @@ struct RunCall {
   render::PictureKinds pictures = render::usual_pictures;
   run::ExecutionMode engine = run::ExecutionMode::automatic;
   bool profile = false;          ///< measure the cost of each block
+  bool coverage = false;         ///< find the branches of conditions that the runs take
   std::string requires_section;  ///< section that each file must have; empty: none
   session::FitCall fit;
   session::TuneCall tune;
   std::optional<session::Share> part;  ///< share of a sweep that this call runs
-  bool mpi = false;                    ///< distribute the work of the one file to the processes of mpirun
+  std::string junit;                   ///< File for the claims as test cases; empty: none.
+  std::shared_ptr<std::vector<junit::TestSuite>> suites{};  ///< Suites of the files; nullptr without `junit`.
+  bool mpi = false;  ///< distribute the work of the one file to the processes of mpirun
 };
 
 inline constexpr const char* standard_output = "-";

@@ -9,13 +9,16 @@
 #include <memory>
 #include <optional>
 
+#include "engine/analyse/coverage/coverage.hpp"
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/exit_code.hpp"
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cli/kept_inputs.hpp"
 #include "engine/app/cli/monitoring.hpp"
 #include "engine/app/cli/run_call.hpp"
+#include "engine/app/report/coverage_picture.hpp"
 #include "engine/app/report/fit_text.hpp"
+#include "engine/app/report/junit_suites.hpp"
 #include "engine/app/report/profile_report.hpp"
 #include "engine/app/report/run_text.hpp"
 #include "engine/app/report/study_text.hpp"
@@ -83,6 +86,13 @@ void require_shares(const RunCall& call, const session::LoadedModel& model) {
   if (call.out.empty() || call.archive) refuse("needs --out DIR, in which what is done is kept");
 }
 
+/// Refuses --coverage for runs that other processes make, and for a study, whose trials are not observed.
+void require_observable(const RunCall& call, const session::LoadedModel& model) {
+  if (call.coverage && (call.part || call.mpi || model.study))
+    throw yaml::Error(yaml::Fault{
+        {model.file, {}}, "--coverage", "is of the runs of one process, without a study; leave it out", {}});
+}
+
 /// Refuses a missing folder before the run rather than after it.
 void require_place(const std::string& file) {
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
@@ -95,6 +105,7 @@ void require_fitting(const RunCall& call, const session::LoadedModel& model) {
   require_section(call, model);
   require_one_table(call, model);
   require_shares(call, model);
+  require_observable(call, model);
   require_place(call.csv);
 }
 
@@ -282,35 +293,76 @@ class FileRun {
     return code;
   }
 
+  /// Adds the claims of a run to the report of --junit.
+  void add_suite(const session::LoadedModel& model, const session::Outcome& outcome) {
+    if (call_.suites) call_.suites->push_back(report::suite_of(model, outcome));
+  }
+
   ExitCode run(const session::LoadedModel& model, const std::string& folder, Json& results) {
     // Written before the run, during which data files may change.
     if (!folder.empty()) replay::write_replay(folder, model.job);
     const session::Outcome outcome = written_run(model, folder);
+    add_suite(model, outcome);
     const std::optional<profile::Profile> profile = wanted_profile(model);
     if (profile && !folder.empty()) write_profile(folder, model, *profile);
     if (call_.models.json) {
       Json result = run_json(model, outcome);
       if (profile) result.set("profile", result::json_of(report::ProfileReport{*profile}));
+      put_coverage(model, folder, &result);
       results.push(std::move(result));
       return code_of(outcome);
     }
     if (call_.models.units) put_text(report::units_text(model.job.plan));
     put_outcome(model, outcome);
     if (profile) put_text(report::profile_text(model, *profile));
+    put_coverage(model, folder, nullptr);
     say_where(folder);
     return code_of(outcome);
   }
 
+  /// Returns the observers of the runs: that of the branches, and that of the rows.
+  std::vector<run::RunObserver*> observers_of(session::PartialSignals* partial) {
+    std::vector<run::RunObserver*> observers;
+    if (partial) observers.push_back(partial);
+    if (coverage_) observers.push_back(&*coverage_);
+    return observers;
+  }
+
+  /// Writes the branches as JSON and as a drawing, which a missing program leaves out.
+  void write_coverage(const std::string& folder, const session::LoadedModel& model,
+                      const coverage::Coverage& coverage) const {
+    io::write_file(folder + "/coverage.json", result::json_of(coverage).text() + "\n");
+    try {
+      io::write_file(folder + "/coverage.svg",
+                     report::coverage_picture(session_.registry(), model.file, coverage));
+    } catch (const io::EnvironmentError& error) {
+      complain("{}: there is no coverage.svg: {}\n", folder, error.what());
+    }
+  }
+
+  /// Adds the branches that the runs took to the result, the report and the folder.
+  void put_coverage(const session::LoadedModel& model, const std::string& folder, Json* result) {
+    if (!coverage_) return;
+    coverage::Coverage coverage = coverage_->coverage();
+    coverage.file = model.file;
+    if (!folder.empty()) write_coverage(folder, model, coverage);
+    if (result)
+      result->set("coverage", result::json_of(coverage));
+    else
+      put_text(coverage::coverage_text(coverage));
+  }
+
   session::Outcome written_run(const session::LoadedModel& model, const std::string& folder) {
     const auto partial = partial_signals(folder, model);
+    if (call_.coverage) coverage_.emplace();
     std::optional<KeptRun> kept;
     if (!folder.empty() && !model.job.points.empty()) kept.emplace(model, use_);
     session::Outcome outcome = [&] {
       const auto watch = watched(file_name(model));
+      session_.monitor().observers = observers_of(partial.get());
       if (kept) return kept->run(runner_of(model));
       if (session::goes_run_by_run(model, use_))
         return session_.pass(model, call_.engine, call_.models.threads);
-      if (partial) session_.monitor().observers = {partial.get()};
       return session_.run(model, call_.engine, call_.models.threads);
     }();
     session_.monitor().observers.clear();
@@ -380,6 +432,7 @@ class FileRun {
         say("the experiments that are done are kept in {}; the same call goes on\n", folder);
       return ExitCode::interrupted;
     }
+    add_suite(model, outcome);
     if (!folder.empty()) {
       session::write_outputs(folder, model, outcome, use_.files, call_.pictures);
       session::write_study(folder, model, *experiments, outcome);
@@ -399,6 +452,7 @@ class FileRun {
   session::Session& session_;
   MpiRun* const mpi_;
   session::RowUse use_;
+  std::optional<coverage::CoverageObserver> coverage_;  ///< Of --coverage.
 };
 
 }  // namespace

@@ -32,8 +32,12 @@ Action declare_run(CLI::App& verb) {
   verb.add_option("--csv", call->csv,
                   "file for the recorded signals as one CSV table; - is the standard output")
       ->type_name("FILE");
+  verb.add_option("--junit", call->junit, "file for the claims as test cases, in the XML that servers read")
+      ->type_name("FILE");
   verb.add_flag("--profile", call->profile,
                 "measure what each block costs; with --out also in profile.csv and profile.svg");
+  verb.add_flag("--coverage", call->coverage,
+                "list the branches of conditions that no run takes; with --out also in coverage.json");
   verb.add_option("--threads", call->models.threads, "how many threads run a sweep; all cores without it");
   verb.add_option_function<std::string>(
           "--part", [call](const std::string& text) { call->part = share_of(text); },

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "engine/app/reference/schema_values.hpp"
+#include "engine/base/yaml/choices.hpp"
 
 namespace stepwire::reference {
 
@@ -71,7 +72,7 @@ Json required(const std::string& name) {
 Json choices_of(const yaml::Key& map) {
   std::map<std::string, Json> choices;
   for (const yaml::Key& key : map.of)
-    if (!key.choice.empty()) choices[key.choice].push(required(key.name));
+    for (const std::string& choice : yaml::choice_groups(key)) choices[choice].push(required(key.name));
   Json all = Json::list();
   for (auto& [name, keys] : choices) all.push(Json::object().set("oneOf", std::move(keys)));
   return choices.empty() ? Json() : all;

@@ -1,5 +1,7 @@
 #include "engine/app/report/results.hpp"
 
+#include "engine/analyse/comparison/compare.hpp"
+#include "engine/analyse/coverage/coverage.hpp"
 #include "engine/analyse/estimation/fit.hpp"
 #include "engine/analyse/linear/analysis.hpp"
 #include "engine/analyse/linear/trim.hpp"
@@ -7,6 +9,7 @@
 #include "engine/app/difference/difference.hpp"
 #include "engine/app/report/profile_report.hpp"
 #include "engine/app/session/loop_run.hpp"
+#include "engine/app/session/mutating.hpp"
 #include "engine/app/session/run_result.hpp"
 #include "engine/app/session/studies.hpp"
 
@@ -51,6 +54,9 @@ const std::vector<JobResult>& job_results() {
                                           {"tune", result::record_type<tuning::TuneResult>()},
                                           {"linearize", result::record_type<linear::Analysis>()},
                                           {"trim", result::record_type<linear::TrimResult>()},
+                                          {"coverage", result::record_type<coverage::Coverage>()},
+                                          {"mutate", result::record_type<session::MutationResult>()},
+                                          {"compare", result::record_type<comparison::RecordingDifference>()},
                                           {"diff", result::record_type<difference::Difference>()}};
   return all;
 }

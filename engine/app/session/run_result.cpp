@@ -45,7 +45,10 @@ void declare(Record<JudgedClaim>& is) {
   is.field("figure", &JudgedClaim::figure, "figure of a publication that the file reproduces; null without");
   is.field("that", &JudgedClaim::that, "statement");
   is.field("check", &JudgedClaim::check, "condition");
-  is.field("value", &JudgedClaim::value, "value; null if it could not be judged", "SI");
+  is.field("value", &JudgedClaim::value,
+           "value, of `like` the largest difference divided by its tolerance; null if it is infinite or "
+           "could not be judged",
+           "SI");
   is.field("holds", &JudgedClaim::holds, "true if it holds");
   is.omitted("invariant", is_invariant, "true for an invariant");
   is.omitted("disagrees", text_of(&claim::Verdict::disagrees), "reason in the file for a known failure");

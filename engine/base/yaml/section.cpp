@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/base/yaml/choices.hpp"
 #include "engine/base/yaml/message.hpp"
 
 namespace stepwire::yaml {
@@ -131,10 +132,18 @@ bool SectionReading::check_unknown(const Node& map, const Key& keys) const {
   return found;
 }
 
+/// Returns the keys of one group alone.
+static std::vector<std::string> names_of_choice(const Key& keys, const std::string& choice) {
+  std::vector<std::string> names;
+  for (const Key& key : keys.of)
+    if (key.choice == choice) names.push_back(key.name);
+  return names;
+}
+
 void SectionReading::check_choices(const Node& map, const Key& keys, bool missing_counts) const {
   std::map<std::string, std::vector<std::string>> choices;
   for (const Key& key : keys.of)
-    if (!key.choice.empty()) choices[key.choice].push_back(key.name);
+    for (const std::string& choice : choice_groups(key)) choices[choice].push_back(key.name);
   for (const auto& [choice, names] : choices) {
     const Entry* found = nullptr;
     for (const Entry& entry : map.entries) {
@@ -146,7 +155,8 @@ void SectionReading::check_choices(const Node& map, const Key& keys, bool missin
         found = &entry;
     }
     if (!found && missing_counts)
-      fault(map.mark, fmt::format("{} needs one {}: {}", keys.noun, choice, fmt::join(names, ", ")));
+      fault(map.mark, fmt::format("{} needs one {}: {}", keys.noun, choice,
+                                  fmt::join(names_of_choice(keys, choice), ", ")));
   }
 }
 

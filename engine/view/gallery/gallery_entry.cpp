@@ -216,34 +216,6 @@ Html claim(const claim::Verdict& verdict) {
   return item += html(" <code>{}</code></li>\n", verdict.check);
 }
 
-/// Returns the claims. Invariants that held are summarised in one line; broken ones are listed with the
-/// claims.
-Html claims(const GalleryEntry& entry) {
-  Html stated, held;
-  std::size_t count = 0;
-  for (const claim::Verdict& verdict : entry.verdicts) {
-    const bool folds = verdict.kind == claim::Claim::Kind::invariant && verdict.holds;
-    (folds ? held : stated) += claim(verdict);
-    count += folds ? 1 : 0;
-  }
-  if (entry.verdicts.empty()) return {};
-  if (!stated.empty()) stated = html("<ul class=\"claims\">\n{}</ul>\n", stated);
-  if (!held.empty())
-    held = html(
-        "<details id=\"invariants\">\n<summary>Held throughout: {}</summary>\n<ul "
-        "class=\"claims\">\n{}</ul>\n</details>\n",
-        count, held);
-  const bool reads_pictures = std::ranges::any_of(entry.verdicts, [](const claim::Verdict& one) {
-    return one.check.find("figure.") != std::string::npos;
-  });
-  Html names;
-  if (reads_pictures)
-    names = html(
-        "<p class=\"soft\"><code>figure.2.y.3</code> is the third curve of the second picture, "
-        "<code>figure.1.2.x</code> what the second panel of the first has along x.</p>\n");
-  return html("<section id=\"claims\">\n<h2>Claims</h2>\n{}{}{}</section>\n", stated, held, names);
-}
-
 Html assumptions(const GalleryEntry& entry) {
   Html rows;
   for (const Assumption& one : entry.assumptions)
@@ -270,6 +242,32 @@ Html links_of(const GalleryEntry& entry, const Neighbours& around) {
 
 }  // namespace
 
+Html claims_section(const GalleryEntry& entry) {
+  Html stated, held;
+  std::size_t count = 0;
+  for (const claim::Verdict& verdict : entry.verdicts) {
+    const bool folds = verdict.kind == claim::Claim::Kind::invariant && verdict.holds;
+    (folds ? held : stated) += claim(verdict);
+    count += folds ? 1 : 0;
+  }
+  if (entry.verdicts.empty()) return {};
+  if (!stated.empty()) stated = html("<ul class=\"claims\">\n{}</ul>\n", stated);
+  if (!held.empty())
+    held = html(
+        "<details id=\"invariants\">\n<summary>Held throughout: {}</summary>\n<ul "
+        "class=\"claims\">\n{}</ul>\n</details>\n",
+        count, held);
+  const bool reads_pictures = std::ranges::any_of(entry.verdicts, [](const claim::Verdict& one) {
+    return one.check.find("figure.") != std::string::npos;
+  });
+  Html names;
+  if (reads_pictures)
+    names = html(
+        "<p class=\"soft\"><code>figure.2.y.3</code> is the third curve of the second picture, "
+        "<code>figure.1.2.x</code> what the second panel of the first has along x.</p>\n");
+  return html("<section id=\"claims\">\n<h2>Claims</h2>\n{}{}{}</section>\n", stated, held, names);
+}
+
 std::string entry_page(const Gallery& gallery, const GallerySources& sources, std::size_t index) {
   const GalleryEntry& entry = gallery.entries[index];
   const Neighbours around = neighbours_of(gallery, index);
@@ -277,7 +275,7 @@ std::string entry_page(const Gallery& gallery, const GallerySources& sources, st
   frame.navigation = ways(entry, around, "Gallery");
   frame.links = links_of(entry, around);
   Html content = html("{}{}{}", head_of(entry), error_of(entry), pictures_of(entry, false));
-  content += html("{}{}{}", beside(entry), claims(entry), pictures_of(entry, true));
+  content += html("{}{}{}", beside(entry), claims_section(entry), pictures_of(entry, true));
   content += html("{}{}", assumptions(entry), downloads_of(entry));
   content += html("{}{}", diagram_of(entry, sources), ways(entry, around, "Neighbours"));
   return framed(frame, content);

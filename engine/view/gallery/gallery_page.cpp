@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "engine/view/gallery/gallery_assets.hpp"
 #include "engine/view/svg/svg.hpp"
 
 namespace stepwire::gallery {
@@ -35,17 +36,23 @@ Address address_from(const std::string& page, const std::string& target) {
   return {fs::path(target).lexically_relative(fs::path(page).parent_path()).generic_string()};
 }
 
+/// Returns the elements of the head for the style of a page and its script, which a contained page does
+/// without.
+static Html look_and_script(const GalleryFrame& frame) {
+  if (frame.contained)
+    return {fmt::format("<style>\n{}td, th {{ overflow-wrap: break-word; }}\n</style>\n", gallery_style)};
+  return html("<link rel=\"stylesheet\" href=\"{}\">\n<script src=\"{}\" defer></script>\n",
+              address_from(frame.page, "gallery.css"), address_from(frame.page, "gallery.js"));
+}
+
 std::string framed(const GalleryFrame& frame, const Html& content) {
   const Html head = html(R"(<meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
 <title>{}</title>
 <link rel="icon" href="data:,">
-<link rel="stylesheet" href="{}">
-<script src="{}" defer></script>
-{})",
-                         frame.title, address_from(frame.page, "gallery.css"),
-                         address_from(frame.page, "gallery.js"), frame.links);
+{}{})",
+                         frame.title, look_and_script(frame), frame.links);
   return html(R"(<!DOCTYPE html>
 <html lang="en">
 <head>

@@ -51,11 +51,12 @@ Address address_from(const std::string& page, const std::string& target);
 
 /// Frame of a page of the gallery around its content.
 struct GalleryFrame {
-  std::string page;       ///< path in the gallery: "fig15-map/index.html"
-  std::string title;      ///< title of the window
-  Html navigation{};      ///< before the content
-  Html links{};           ///< links of the head
-  std::string look = "";  ///< CSS class of the body
+  std::string page;        ///< path in the gallery: "fig15-map/index.html"
+  std::string title;       ///< title of the window
+  Html navigation{};       ///< before the content
+  Html links{};            ///< links of the head
+  std::string look = "";   ///< CSS class of the body
+  bool contained = false;  ///< true for a page with its style inside, without other files
 };
 
 /// Returns the whole page.
@@ -77,6 +78,10 @@ struct ClaimTally {
 
 ClaimTally tally_of(const GalleryEntry& entry);
 ClaimTally tally_of(const std::vector<GalleryEntry>& entries);
+
+/// Returns the claims of an entry. Invariants that held are summarised in one line; broken ones are listed
+/// with the claims.
+Html claims_section(const GalleryEntry& entry);
 
 /// Returns the CSS class of a verdict.
 std::string look_of(const claim::Verdict& verdict);

@@ -82,7 +82,7 @@ TEST_CASE("a claim has one reduction, one comparison and a text") {
         "d.yaml:1:3: claims: 'that' is missing (the statement, for people): {that: ..., final: ..., equals: "
         "...}\n");
   CHECK(faults_of("{that: a, max: time, at_most: 1, within: 2}") ==
-        "d.yaml:1:44: claims.within: 'within' goes with 'equals' only\n");
+        "d.yaml:1:44: claims.within: 'within' goes with 'equals', 'like' only\n");
   CHECK(faults_of("{that: a, max: time, between: [2, 1]}") ==
         "d.yaml:1:33: claims.between: 2 is above 1; the smaller number comes first\n");
 }

@@ -1,0 +1,362 @@
+#include "engine/analyse/coverage/coverage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "engine/analyse/coverage/chart_states.hpp"
+#include "engine/base/expression/margin.hpp"
+#include "engine/model/plan/active.hpp"
+
+namespace stepwire::coverage {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+/// Bits of a number that no crossing function writes.
+constexpr std::uint64_t unwritten = 0x7ff8'dead'beef'0001;
+
+/// Address of the block that a call of the plan gets; a kernel has no context of its own.
+thread_local const void* called = nullptr;
+
+/// Returns the address of a block of a run.
+const void* address_of(run::Executor& simulation, std::size_t block) {
+  const std::size_t first = simulation.plan().blocks[block].memory;
+  simulation.call({[](void* at, void*) { called = at; }, first, first, 1, 0});
+  return called;
+}
+
+/// Returns the elements of all ports and states of a block, a bound of its crossing functions.
+std::size_t room_for_crossings(const plan::PlannedBlock& block, const BlockType& type) {
+  constexpr std::size_t transitions = 4096;
+  std::size_t elements = 1;
+  for (const auto* slots : {&block.outputs, &block.states})
+    for (const plan::SignalSlot& slot : *slots) elements += static_cast<std::size_t>(slot.size);
+  for (const auto& input : block.inputs)
+    for (const plan::SignalSlot& slot : input) elements += static_cast<std::size_t>(slot.size);
+  return transitions + 2 * elements * (type.crossings.size() + 1);
+}
+
+/// Returns the declared crossings that the block has numbers for.
+std::vector<std::string> docs_of(const plan::PlannedBlock& block, const BlockType& type) {
+  std::vector<std::string> docs;
+  for (const CrossingSpec& spec : type.crossings) {
+    const bool connected = !spec.inputs.empty() &&
+                           !block.inputs[static_cast<std::size_t>(type.input(spec.inputs.front()))].empty();
+    if (!spec.if_connected || connected) docs.push_back(spec.doc);
+  }
+  return docs;
+}
+
+/// Returns the number of branch points of a block's formula, beyond which its functions are constant;
+/// std::nullopt for a block without a formula.
+std::optional<std::size_t> branches_of_formula(const diagram::DiagramBlock& block) {
+  const ParameterSpec* formula = block.type().parameter("expression");
+  if (!formula) return std::nullopt;
+  const Value text = formula->get(block.block.get());
+  if (!text.text()) return std::nullopt;
+  try {
+    const expression::Expression parsed(*text.text(), [](std::string_view) { return true; });
+    return expression::branches_of(parsed).margins.size();
+  } catch (const expression::ExpressionError&) {
+    return std::nullopt;
+  }
+}
+
+/// Names the crossing functions of a block. The order of several declarations with several elements each is
+/// that of the block, so a name then has the number of the function and all of them.
+std::vector<std::string> names_of(const std::vector<std::string>& docs, std::size_t count) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (docs.size() == count)
+      names.push_back(docs[k]);
+    else if (docs.size() == 1)
+      names.push_back(fmt::format("{} ({})", docs.front(), k + 1));
+    else
+      names.push_back(fmt::format("crossing {} of {}: {}", k + 1, count, fmt::join(docs, ", or ")));
+  }
+  return names;
+}
+
+}  // namespace
+
+/// Coverage of one run.
+class CoverageObserver::OfRun {
+ public:
+  explicit OfRun(run::Executor& simulation) : plan_(simulation.plan()) {
+    for (std::size_t block = 0; block < plan_.blocks.size(); ++block) add_block(simulation, block);
+  }
+
+  void evaluate(const double* values) {
+    for (Crossings& one : crossings_) count_crossings(one, values);
+    for (const Guard& one : guards_) ++branch(one.condition, values[one.place] != 0.0 ? 0 : 1).ticks;
+    for (Constant& one : constants_) count_constant(one, values);
+    for (Machine& one : machines_) count_machine(one, values);
+  }
+
+  /// Returns the conditions. A function that is never negative has its other branch at zero. One that is
+  /// infinite at each tick, as of a limit that is left out, is no condition.
+  Coverage finished() {
+    std::vector<bool> absent(coverage_.conditions.size(), false);
+    for (const Crossings& one : crossings_)
+      for (std::size_t k = 0; k < one.zeros.size(); ++k) {
+        Branch& below = branch(one.condition + k, 1);
+        if (below.ticks == 0) below.ticks = one.zeros[k];
+        absent[one.condition + k] =
+            one.infinite[k] > 0 && below.ticks + branch(one.condition + k, 0).ticks == 0;
+      }
+    Coverage found;
+    for (std::size_t i = 0; i < absent.size(); ++i)
+      if (!absent[i]) found.conditions.push_back(coverage_.conditions[i]);
+    return found;
+  }
+
+ private:
+  struct Crossings {
+    const BlockType* type;
+    const void* block;
+    std::ptrdiff_t active;
+    std::size_t owner;          ///< Index of the block.
+    std::size_t condition = 0;  ///< Index of its first condition, once counted.
+    std::vector<double> numbers{};
+    std::vector<std::int64_t> zeros{}, infinite{};  ///< Ticks at which a function is 0 or has no bound.
+    bool counted = false;  ///< The number of functions is known, from the first tick.
+  };
+  struct Guard {
+    std::size_t place, condition;
+  };
+  struct Constant {
+    std::size_t place, condition;
+    std::ptrdiff_t active;
+    double first = nan;
+  };
+  struct Machine {
+    std::size_t place, condition;  ///< Condition of its states; those of its transitions follow.
+    std::ptrdiff_t active;
+    Chart chart;
+    std::optional<std::size_t> state{};
+  };
+
+  Branch& branch(std::size_t condition, std::size_t index) {
+    return coverage_.conditions[condition].branches[index];
+  }
+
+  std::size_t add(std::size_t block, const std::string& what, const std::vector<std::string>& branches) {
+    const diagram::DiagramBlock& of = plan_.diagram.blocks[block];
+    Condition condition{of.name, of.type().name, what, {}};
+    for (const std::string& name : branches) condition.branches.push_back({name, 0});
+    coverage_.conditions.push_back(std::move(condition));
+    return coverage_.conditions.size() - 1;
+  }
+
+  void add_block(run::Executor& simulation, std::size_t block) {
+    const plan::PlannedBlock& planned = plan_.blocks[block];
+    const BlockType& type = plan_.diagram.blocks[block].type();
+    if (planned.rate.kind == plan::Rate::Kind::constant) return;
+    const std::ptrdiff_t active = plan::active_of(plan_, block);
+    const bool guards = std::ranges::any_of(
+        plan_.guards, [&](const plan::PlannedGuard& guard) { return guard.block == block; });
+    if (guards) {
+      guards_.push_back(
+          {planned.outputs.front().offset, add(block, "the part or block", {"active", "inactive"})});
+      return;
+    }
+    if (Chart chart = chart_of(plan_.diagram.blocks[block]); !chart.states.empty())
+      return add_machine(block, active, std::move(chart));
+    if (type.steady) add_constants(block, active);
+    const bool skips = planned.configuration && planned.configuration->skips_crossings;
+    if (type.run_crossings && !skips)
+      crossings_.push_back({&type, address_of(simulation, block), active, block, 0,
+                            std::vector<double>(room_for_crossings(planned, type))});
+  }
+
+  void add_machine(std::size_t block, std::ptrdiff_t active, Chart chart) {
+    const auto output = static_cast<std::size_t>(plan_.diagram.blocks[block].type().output("state"));
+    const std::size_t condition = add(block, "the state", chart.states);
+    for (const ChartArrow& arrow : chart.arrows)
+      add(block, fmt::format("the transition {} to {}", chart.states[arrow.from], chart.states[arrow.to]),
+          {"taken"});
+    machines_.push_back({plan_.blocks[block].outputs[output].offset, condition, active, std::move(chart)});
+  }
+
+  void add_constants(std::size_t block, std::ptrdiff_t active) {
+    const BlockType& type = plan_.diagram.blocks[block].type();
+    for (std::size_t output = 0; output < type.outputs.size(); ++output) {
+      const plan::SignalSlot& slot = plan_.blocks[block].outputs[output];
+      for (std::size_t k = 0; k < static_cast<std::size_t>(slot.size); ++k)
+        constants_.push_back(
+            {slot.offset + k,
+             add(block,
+                 type.outputs[output].name + (slot.size > 1 ? fmt::format(" ({})", k + 1) : std::string()),
+                 {"its first value", "another value"}),
+             active});
+    }
+  }
+
+  static bool is_off(std::ptrdiff_t active, const double* values) {
+    return active >= 0 && values[active] == 0.0;
+  }
+
+  /// Counts the functions that a block writes, and adds a condition for each.
+  void count_functions(Crossings& one) {
+    std::size_t count = one.numbers.size();
+    while (count > 0 && std::bit_cast<std::uint64_t>(one.numbers[count - 1]) == unwritten) --count;
+    one.numbers.resize(count);
+    one.zeros.assign(count, 0);
+    one.condition = coverage_.conditions.size();
+    const diagram::DiagramBlock& block = plan_.diagram.blocks[one.owner];
+    std::vector<std::string> docs = docs_of(plan_.blocks[one.owner], block.type());
+    if (const auto branches = branches_of_formula(block); branches && *branches < docs.size()) {
+      one.zeros.resize(count / docs.size() * *branches);  // declaration by declaration, the first ones
+      docs.resize(*branches);
+    }
+    one.infinite.assign(one.zeros.size(), 0);
+    for (const std::string& name : names_of(docs, one.zeros.size())) add(one.owner, name, {"above", "below"});
+    one.counted = true;
+  }
+
+  void count_crossings(Crossings& one, const double* values) {
+    if (!one.counted) std::ranges::fill(one.numbers, std::bit_cast<double>(unwritten));
+    one.type->run_crossings(one.block, one.numbers.data());
+    if (!one.counted) count_functions(one);
+    if (is_off(one.active, values)) return;
+    for (std::size_t k = 0; k < one.zeros.size(); ++k) {
+      const double number = one.numbers[k];
+      if (number == 0.0) ++one.zeros[k];
+      if (std::isinf(number))
+        ++one.infinite[k];
+      else if (number != 0.0 && !std::isnan(number))
+        ++branch(one.condition + k, number > 0.0 ? 0 : 1).ticks;
+    }
+  }
+
+  void count_constant(Constant& one, const double* values) {
+    if (is_off(one.active, values)) return;
+    const double value = values[one.place];
+    if (std::isnan(one.first)) one.first = value;
+    ++branch(one.condition, value == one.first ? 0 : 1).ticks;
+  }
+
+  void count_machine(Machine& one, const double* values) {
+    if (is_off(one.active, values)) return;
+    const auto state = static_cast<std::size_t>(values[one.place]);
+    if (state >= one.chart.states.size()) return;
+    for (std::size_t s = 0; s < one.chart.states.size(); ++s)
+      if (one.chart.is_within(state, s)) ++branch(one.condition, s).ticks;
+    if (one.state && *one.state != state) count_arrows(one, *one.state, state);
+    one.state = state;
+  }
+
+  /// Counts the transitions between two states. Those with the same ends are counted together.
+  void count_arrows(const Machine& one, std::size_t from, std::size_t to) {
+    for (std::size_t a = 0; a < one.chart.arrows.size(); ++a) {
+      const ChartArrow& arrow = one.chart.arrows[a];
+      if (one.chart.is_within(from, arrow.from) && one.chart.is_within(to, arrow.to))
+        ++branch(one.condition + 1 + a, 0).ticks;
+    }
+  }
+
+  const plan::Plan& plan_;
+  Coverage coverage_;
+  std::vector<Crossings> crossings_;
+  std::vector<Guard> guards_;
+  std::vector<Constant> constants_;
+  std::vector<Machine> machines_;
+};
+
+CoverageObserver::CoverageObserver() = default;
+CoverageObserver::~CoverageObserver() = default;
+
+void CoverageObserver::begin(const run::ObservedRun& run) {
+  auto of_run = std::make_unique<OfRun>(run.simulation);
+  const std::lock_guard lock(mutex_);
+  runs_[run.index] = std::move(of_run);
+}
+
+void CoverageObserver::evaluated(const run::ObservedRun& run) {
+  OfRun* of_run = nullptr;
+  {
+    const std::lock_guard lock(mutex_);
+    of_run = runs_.at(run.index).get();
+  }
+  of_run->evaluate(run.simulation.values());
+}
+
+void CoverageObserver::end(const run::ObservedRun& run) {
+  const std::lock_guard lock(mutex_);
+  all_.add(runs_.at(run.index)->finished());
+  runs_.erase(run.index);
+}
+
+Coverage CoverageObserver::coverage() const {
+  const std::lock_guard lock(mutex_);
+  return all_;
+}
+
+std::size_t Condition::covered() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(branches, [](const Branch& branch) { return branch.ticks > 0; }));
+}
+
+std::size_t Coverage::branches() const {
+  std::size_t count = 0;
+  for (const Condition& condition : conditions) count += condition.branches.size();
+  return count;
+}
+
+std::size_t Coverage::covered() const {
+  std::size_t count = 0;
+  for (const Condition& condition : conditions) count += condition.covered();
+  return count;
+}
+
+void Coverage::add(const Coverage& other) {
+  for (const Condition& one : other.conditions) {
+    const auto known = std::ranges::find_if(conditions, [&](const Condition& condition) {
+      return condition.block == one.block && condition.what == one.what &&
+             condition.branches.size() == one.branches.size();
+    });
+    if (known == conditions.end()) {
+      conditions.push_back(one);
+      continue;
+    }
+    for (std::size_t i = 0; i < one.branches.size(); ++i) known->branches[i].ticks += one.branches[i].ticks;
+  }
+}
+
+std::string coverage_text(const Coverage& coverage) {
+  std::string text = fmt::format("  coverage: {} of {} branches\n", coverage.covered(), coverage.branches());
+  for (const Condition& condition : coverage.conditions)
+    for (const Branch& branch : condition.branches)
+      if (branch.ticks == 0)
+        text += fmt::format("    {} ({}): {}: never {}\n", condition.block, condition.type, condition.what,
+                            branch.name);
+  return text;
+}
+
+static void declare(result::Record<Branch>& is) {
+  is.named("Branch", "Branch of a condition of a block.");
+  is.field("name", &Branch::name, "name of the branch: above, below, active, a state");
+  is.field("ticks", &Branch::ticks, "ticks at which the runs were there; 0 for one that none took");
+}
+
+static void declare(result::Record<Condition>& is) {
+  is.named("Condition", "Condition of a block with its branches.");
+  is.field("block", &Condition::block, "name of the block");
+  is.field("type", &Condition::type, "type of the block");
+  is.field("what", &Condition::what, "the condition");
+  is.field("branches", &Condition::branches, "its branches");
+}
+
+void declare(result::Record<Coverage>& is) {
+  is.named("Coverage", "Branches that the runs of a file took: run --coverage.");
+  is.field("branches", &Coverage::branches, "number of branches");
+  is.field("covered", &Coverage::covered, "number of those that a run took");
+  is.field("conditions", &Coverage::conditions, "conditions of the blocks");
+}
+
+}  // namespace stepwire::coverage

@@ -1,0 +1,124 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/engine/app/cli/program.hpp"
+
+using Catch::Contains;
+
+namespace {
+
+/// A sine of 2 N about 0 in limits of -1 N and 3 N, so that the upper one is not reached.
+const std::string limited_yaml =
+    "stepwire: 1\nstep: 10 ms\nstop: 1 s\nblocks:\n"
+    "  wave: {block: Sine, amplitude: 2 N, frequency: 1 Hz}\n"
+    "  limited: {block: Saturation, u: wave, lower: -1 N, upper: 3 N}\n"
+    "  high: {block: Compare, u: wave, operator: greater, to: 2.5 N}\n"
+    "record: [limited, high]\n";
+
+/// A tank that is filled and emptied; nothing leads back to its third state.
+const std::string chart_yaml =
+    "stepwire: 1\nstep: 10 ms\nstop: 1 s\nblocks:\n"
+    "  wave: {block: Sine, amplitude: 1, frequency: 1 Hz}\n"
+    "  tank:\n    block: StateMachine\n    u: [wave]\n    states:\n"
+    "      fill: {to: {drain: \"u > 0.5\"}, output: [1]}\n"
+    "      drain: {to: {fill: \"u < -0.5\", alarm: \"u > 2\"}, output: [0]}\n"
+    "      alarm: {output: [2]}\n"
+    "record: [tank.y]\n";
+
+/// A lag with a claim on its end and none on its course.
+const std::string judged_yaml =
+    "stepwire: 1\nstep: 10 ms\nstop: 10 s\nsolver: rk4\nparameters:\n  level: 2\n  tau: 0.1 s\nblocks:\n"
+    "  command: {block: Constant, value: $level}\n  other: {block: Constant, value: 5}\n"
+    "  lag: {block: Lag, u: command, tau: $tau}\n"
+    "record: [lag, other]\nclaims:\n  - {that: it arrives, final: lag, equals: 2, within: 1 %}\n";
+
+}  // namespace
+
+TEST_CASE("run --coverage names the limit that is not reached and the comparison that is never true") {
+  const Scratch folder;
+  folder.file("limited.yaml", limited_yaml);
+  const Done done = run_program(folder, {"run", "limited.yaml", "--coverage", "--out", "out"});
+  INFO(done.out << done.err);
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out, Contains("limited (Saturation): u reaches the upper limit: never above") &&
+                           Contains("high (Compare): u passes `to`: never above") &&
+                           Contains("high (Compare): y: never another value"));
+  CHECK_THAT(done.out, !Contains("lower limit"));
+  const auto result = nlohmann::json::parse(content_of(folder.path("out/coverage.json")));
+  CHECK(result["branches"] == 8);
+  CHECK(result["covered"] == 5);
+}
+
+TEST_CASE("run --coverage counts the conditions that a formula has, and elements one by one") {
+  const Scratch folder;
+  folder.file("formula.yaml",
+              "stepwire: 1\nstep: 10 ms\nstop: 1 s\nblocks:\n"
+              "  wave: {block: Sine, amplitude: [1, 3], frequency: 1 Hz}\n"
+              "  one: {block: Sine, amplitude: 1, frequency: 1 Hz}\n"
+              "  bent: {block: Expression, u: one, expression: \"abs(u)\"}\n"
+              "  limited: {block: Saturation, u: wave, upper: 2}\nrecord: [bent, limited]\n");
+  const Done done = run_program(folder, {"run", "formula.yaml", "--coverage"});
+  INFO(done.out << done.err);
+  CHECK(done.code == 0);
+  // abs has one condition of two branches. The upper limits of two elements have four, of which the first
+  // element does not reach its own; there are no lower limits.
+  CHECK_THAT(done.out, Contains("coverage: 5 of 6 branches") && Contains("crossing 2 of 4"));
+  CHECK_THAT(done.out, !Contains("Expression"));
+}
+
+TEST_CASE("run --coverage lists states and transitions of a chart") {
+  const Scratch folder;
+  folder.file("chart.yaml", chart_yaml);
+  const Done done = run_program(folder, {"run", "chart.yaml", "--coverage"});
+  INFO(done.out << done.err);
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out, Contains("coverage: 4 of 6 branches") && Contains("the state: never alarm") &&
+                           Contains("the transition drain to alarm: never taken"));
+}
+
+TEST_CASE("run --coverage adds the runs of a sweep, and has both states of a guard") {
+  const Scratch folder;
+  const std::string text =
+      "stepwire: 1\nstep: 10 ms\nstop: 1 s\nparameters:\n  size: 1\nblocks:\n"
+      "  wave: {block: Sine, amplitude: $size, frequency: 1 Hz}\n"
+      "  limited: {block: Saturation, u: wave, upper: 2}\n"
+      "  on: {block: Step, time: 0.5 s, before: 1, after: 1}\n"
+      "  twice: {block: Gain, u: wave, gain: 2, enable: on}\nrecord: [limited, twice]\n";
+  folder.file("one.yaml", text);
+  folder.file("two.yaml", text + "sweep: {size: {values: [1, 3]}}\n");
+  const Done one = run_program(folder, {"run", "one.yaml", "--coverage"});
+  INFO(one.out << one.err);
+  CHECK_THAT(one.out, Contains("coverage: 2 of 4 branches") && Contains("the part or block: never inactive"));
+  const Done two = run_program(folder, {"run", "two.yaml", "--coverage", "--threads", "2"});
+  INFO(two.out << two.err);
+  CHECK_THAT(two.out, Contains("coverage: 3 of 4 branches") && !Contains("upper limit"));
+}
+
+TEST_CASE("mutate lists the time constant that no claim judges, and not the level") {
+  const Scratch folder;
+  folder.file("judged.yaml", judged_yaml);
+  const Done done = run_program(folder, {"mutate", "judged.yaml", "--json"});
+  INFO(done.out << done.err);
+  CHECK(done.code == 1);
+  const auto result = nlohmann::json::parse(done.out);
+  for (const auto& one : result["mutations"]) {
+    INFO(one.dump());
+    const bool unjudged = one["what"] == "parameter tau";
+    const std::string outcome = one["outcome"];
+    if (unjudged) CHECK((outcome == "survives" || outcome == "refused"));  // a negative one is refused
+    if (one["what"] == "parameter level") CHECK(outcome == "noticed");
+    if (one["what"] == "wire lag.u") CHECK(outcome == "noticed");
+  }
+  CHECK(result["survived"] == 2);
+  CHECK(result["refused"] == 1);
+}
+
+TEST_CASE("mutate refuses a file whose claims fail as it is, and one without claims") {
+  const Scratch folder;
+  folder.file("limited.yaml", limited_yaml);
+  folder.file("failing.yaml", judged_yaml + "  - {that: it is above, final: lag, at_least: 3}\n");
+  CHECK(run_program(folder, {"mutate", "limited.yaml"}).code == 2);
+  const Done failing = run_program(folder, {"mutate", "failing.yaml"});
+  CHECK(failing.code == 2);
+  CHECK_THAT(failing.err, Contains("it is above"));
+}
