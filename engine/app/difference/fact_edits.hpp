@@ -31,12 +31,14 @@ class FactEdits {
   template <class Edit>
   void attempt(Edit edit);
   std::string written(const Fact& fact) const;
+  std::string section_text(const yaml::Entry& section) const;
 
   const DiagramText& into_;
   const DiagramText& from_;
-  language::TextPlaces from_places_;
+  language::TextPlaces from_places_, places_;
   language::TreeEdits edits_;
-  std::string refusal_;  ///< reason of the first refused edit; empty without one
+  std::string appended_;  ///< new sections, in lines
+  std::string refusal_;   ///< reason of the first refused edit; empty without one
 };
 
 }  // namespace stepwire::difference

@@ -202,7 +202,7 @@ class Merge {
     if (merged.conflicts.empty())
       merged.faults = new_faults(merged.text, ours, theirs);
     else
-      merged.text += conflicts_text(merged.conflicts);
+      add_conflicts(merged);
     return merged;
   }
 
@@ -324,6 +324,16 @@ class Merge {
       return known.contains(fault.subject + fault.message.text());
     });
     return faults;
+  }
+
+  void add_conflicts(Merged& merged) const {
+    merged.text += conflicts_text(merged.conflicts);
+    try {
+      yaml::parse_document(merged.text, path_);
+    } catch (const yaml::Error&) {  // a file in brackets
+      throw language::EditRefused("both versions change " + merged.conflicts.front().at +
+                                  ", and the file has no room for the section 'conflicts'; merge it by hand");
+    }
   }
 
   static std::string conflicts_text(const std::vector<Conflict>& conflicts) {

@@ -58,6 +58,16 @@ TEST_CASE("comments and layout of ours stay") {
   CHECK(result.text == with(ours, "400 N/m", "600 N/m"));
 }
 
+TEST_CASE("a section that the other side adds keeps its lines and comments") {
+  const std::string sections =
+      "# swept\nsweep:\n  weight: [1 kg, 2 kg]  # light, heavy\n\n# named\nunits:\n  push: N\n";
+  const std::string ours = with(loop_yaml, "0.5 m}\n", "0.5 m}  # near\n");
+  const Merged result = merged(ours, with(loop_yaml, "0.5 m}\n", "0.6 m}\n") + sections);
+  CHECK(result.is_clean());
+  CHECK(result.text ==
+        with(ours, "0.5 m", "0.6 m") + "sweep:\n  weight: [1 kg, 2 kg]  # light, heavy\nunits:\n  push: N\n");
+}
+
 TEST_CASE("the same edit of both sides is no conflict, in another notation either") {
   const std::string ours = with(loop_yaml, "400 N/m", "600 N/m"),
                     theirs = with(loop_yaml, "400 N/m", "0.6 N/mm");
