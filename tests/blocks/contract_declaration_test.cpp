@@ -226,7 +226,8 @@ TEST_CASE("outputs are computed or are continuous states, and states have what m
     }
     for (const StateSpec& state : type->states) {
       INFO(state.name);
-      CHECK((state.continuous ? type->run_derivatives : type->run_update));
+      CHECK((state.continuous ? bool(type->run_derivatives)
+                              : type->run_update || type->run_outputs_at_instant));
     }
     if (!type->diagnostics.empty()) CHECK((type->run_update || type->run_outputs));
   }

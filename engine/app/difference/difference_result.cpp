@@ -22,10 +22,10 @@ static void declare(Record<Change>& is) {
   is.field("section", &Change::section, "blocks, wires, values, head, or a section of the file");
   is.field("name", &Change::name, "name of the block, parameter, input or item");
   is.field(
-      "from", [](const Change& of) { return text_if_any(of.from); },
+      "old", [](const Change& of) { return text_if_any(of.from); },
       "value in the old file; null if it has none");
   is.field(
-      "to", [](const Change& of) { return text_if_any(of.to); },
+      "new", [](const Change& of) { return text_if_any(of.to); },
       "value in the new file; null if it has none");
   is.field("ratio", &Change::ratio, "new number over old number; null for other values");
   is.field(

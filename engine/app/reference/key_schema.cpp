@@ -68,14 +68,25 @@ Json required(const std::string& name) {
   return Json::object().set("required", Json::list({Json(name)}));
 }
 
-/// Requires exactly one key of each choice.
-Json choices_of(const yaml::Key& map) {
+/// Requires one of its companion keys beside a key that has several.
+Json companion_of(const yaml::Key& key) {
+  Json others = Json::list();
+  for (const std::string& other : key.beside) others.push(required(other));
+  return Json::object()
+      .set("if", required(key.name))
+      .set("then", Json::object().set("anyOf", std::move(others)));
+}
+
+/// Requires exactly one key of each choice, and one companion of each key that has several.
+std::vector<Json> rules_of(const yaml::Key& map) {
   std::map<std::string, Json> choices;
-  for (const yaml::Key& key : map.of)
+  std::vector<Json> all;
+  for (const yaml::Key& key : map.of) {
     for (const std::string& choice : yaml::choice_groups(key)) choices[choice].push(required(key.name));
-  Json all = Json::list();
-  for (auto& [name, keys] : choices) all.push(Json::object().set("oneOf", std::move(keys)));
-  return choices.empty() ? Json() : all;
+    if (key.beside.size() > 1) all.push_back(companion_of(key));
+  }
+  for (auto& [name, keys] : choices) all.push_back(Json::object().set("oneOf", std::move(keys)));
+  return all;
 }
 
 /// Lists the keys that require exactly one companion key.
@@ -96,7 +107,8 @@ Json map_schema(const yaml::Key& map) {
   Json schema = typed("object").set("properties", std::move(properties));
   if (!needed.empty()) schema.set("required", Json::list_of(needed));
   schema.set("additionalProperties", map.rest.empty() ? Json(false) : key_schema(map.rest.front()));
-  if (Json choices = choices_of(map); choices.text() != "null") schema.set("allOf", std::move(choices));
+  if (const std::vector<Json> rules = rules_of(map); !rules.empty())
+    schema.set("allOf", Json::list_of(rules));
   if (Json pairs = companions_of(map); pairs.text() != "null")
     schema.set("dependentRequired", std::move(pairs));
   return schema;
