@@ -18,7 +18,7 @@ void Switch::declare(Declare<Switch>& is) {
   is.input<&Switch::else_>({.unit = "'u", .doc = "passed on where it does not"});
   is.crossing<&Switch::control>("the control passes its threshold", "1");
   is.output<&Switch::y>({.unit = "'u", .doc = "one of the two"});
-  is.state<&Switch::branch>({.doc = "1 where `then` is passed on", .settable = false});
+  is.state<&Switch::branch>({.doc = "1 where `then` is passed on", .settable = false, .mode = true});
   is.derived<&Switch::holds_branch>();
 }
 

@@ -19,7 +19,7 @@ void Coulomb::declare(Declare<Coulomb>& is) {
   is.input<&Coulomb::u>({.unit = "'v", .doc = "speed"});
   is.crossing<&Coulomb::u>("the speed passes 0, where the sign is not smoothed");
   is.output<&Coulomb::y>({.unit = "'f", .doc = "friction, with the sign of the speed"});
-  is.state<&Coulomb::side>({.doc = "sign of the speed", .settable = false});
+  is.state<&Coulomb::side>({.doc = "sign of the speed", .settable = false, .mode = true});
   is.derived<&Coulomb::holds_side>();
 }
 

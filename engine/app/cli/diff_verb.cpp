@@ -9,6 +9,7 @@
 #include "engine/app/difference/difference_picture.hpp"
 #include "engine/app/difference/difference_text.hpp"
 #include "engine/app/difference/revision.hpp"
+#include "engine/app/report/comparison_text.hpp"
 #include "engine/app/session/fault_json.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/view/render/picture_kind.hpp"
@@ -33,6 +34,7 @@ struct DiffCall {
   std::vector<std::string> files;
   std::string revision;  ///< "HEAD~1" or "v1..v2"; empty without one
   std::string out;       ///< picture to write; empty: none
+  bool results = false;  ///< also run both, and compare the results
   bool json = false;
   bool facts = false;  ///< print the facts of one file
 };
@@ -54,12 +56,27 @@ void draw(const DiffCall& call, const Registry& registry, const std::string& fro
   io::write_file(call.out, render::converted(picture, kind));
 }
 
-ExitCode print(const DiffCall& call, const Difference& found) {
+using Results = std::optional<session::ResultComparison>;
+
+/// Runs both files where the call asks for results.
+Results results_of(const DiffCall& call, const Registry& registry, const std::string& from,
+                   const std::string& to) {
+  if (!call.results) return std::nullopt;
+  if (fs::is_directory(from) || fs::is_directory(to))
+    throw wrong_call("runs two files with --results, not folders");
+  session::Session session(registry);
+  return session::compare_results(session, from, to);
+}
+
+ExitCode print(const DiffCall& call, const Difference& found, const Results& results) {
+  Json all = result::json_of(found);
+  if (results) all.set("results", result::json_of(*results));
   if (call.json)
-    put_json(result::json_of(found));
+    put_json(all);
   else
-    put_failure(difference::text_of(found));
-  return found.is_empty() ? ExitCode::done : ExitCode::fails;
+    put_failure(difference::text_of(found) + (results ? report::results_text(*results) : ""));
+  const bool differs = !found.is_empty() || (results && !results->agrees());
+  return differs ? ExitCode::fails : ExitCode::done;
 }
 
 /// Returns the diagram files of a folder by their path below it.
@@ -116,7 +133,9 @@ ExitCode diff_revisions(const DiffCall& call, const Registry& registry) {
     Difference found = difference_of(registry, before.file(), to);
     draw(call, registry, before.file(), to, found);
     for (difference::FileDifference& one : found.files) rename(one.before), rename(one.after);
-    return print(call, found);
+    Results results = results_of(call, registry, before.file(), to);
+    if (results) rename(results->signals.a), rename(results->signals.b);
+    return print(call, found, results);
   } catch (const yaml::Error& error) {
     std::vector<yaml::Fault> faults = error.faults();
     for (yaml::Fault& fault : faults) rename(fault.place.file);
@@ -172,7 +191,7 @@ ExitCode diff(const DiffCall& call, const Registry& registry) {
   if (!call.revision.empty()) throw wrong_call("takes one file with --rev");
   const Difference found = difference_of(registry, call.files[0], call.files[1]);
   draw(call, registry, call.files[0], call.files[1], found);
-  return print(call, found);
+  return print(call, found, results_of(call, registry, call.files[0], call.files[1]));
 }
 
 Action declare_diff(CLI::App& verb) {
@@ -182,6 +201,8 @@ Action declare_diff(CLI::App& verb) {
       ->required();
   verb.add_option("--rev", call->revision, "revision of git to compare with, HEAD~1, or two, v1..v2");
   verb.add_option("-o", call->out, "one drawing of both to write: SVG, or PNG or PDF by its ending");
+  verb.add_flag("--results", call->results,
+                "also run both; worst difference of each signal, claims with another verdict");
   verb.add_flag("--json", call->json, "print the differences as JSON");
   verb.add_flag("--text", call->facts, "print the meaning of one file in sorted lines, for git log -p");
   return [call](const Registry& registry) {

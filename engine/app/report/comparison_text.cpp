@@ -76,6 +76,19 @@ std::string comparison_text(const comparison::RecordingDifference& difference) {
   return text;
 }
 
+std::string results_text(const session::ResultComparison& results) {
+  std::string text = "results\n";
+  for (const comparison::SignalDifference& signal : results.signals.signals)
+    if (!signal.agrees) text += fmt::format("  ~ {}\n", comparison::difference_text(signal));
+  for (const std::string& name : results.signals.only_in_b) text += fmt::format("  + {} is recorded\n", name);
+  for (const std::string& name : results.signals.only_in_a)
+    text += fmt::format("  - {} is no longer recorded\n", name);
+  for (const session::ChangedVerdict& claim : results.claims)
+    text += fmt::format("  ~ claim '{}': {} -> {}\n", claim.that, claim.before, claim.after);
+  if (results.agrees()) text += "  all recorded signals and all verdicts are the same\n";
+  return text;
+}
+
 plot::FigureSpec comparison_figure(const session::ComparedRuns& runs, std::size_t signals) {
   const auto a = session::tables_of(runs.a), b = session::tables_of(runs.b);
   std::vector<std::pair<const comparison::SignalDifference*, comparison::DifferenceCurves>> shown;

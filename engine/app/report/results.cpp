@@ -10,6 +10,7 @@
 #include "engine/app/report/profile_report.hpp"
 #include "engine/app/session/loop_run.hpp"
 #include "engine/app/session/mutating.hpp"
+#include "engine/app/session/result_comparison.hpp"
 #include "engine/app/session/run_result.hpp"
 #include "engine/app/session/studies.hpp"
 
@@ -57,7 +58,8 @@ const std::vector<JobResult>& job_results() {
                                           {"coverage", result::record_type<coverage::Coverage>()},
                                           {"mutate", result::record_type<session::MutationResult>()},
                                           {"compare", result::record_type<comparison::RecordingDifference>()},
-                                          {"diff", result::record_type<difference::Difference>()}};
+                                          {"diff", result::record_type<difference::Difference>()},
+                                          {"diff_results", result::record_type<session::ResultComparison>()}};
   return all;
 }
 

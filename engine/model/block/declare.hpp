@@ -250,6 +250,8 @@ struct StateOptions {
   bool settable = true;
   /// The state is 0 before the first instant and 1 afterwards. A linear analysis treats it as 1.
   bool marks_start = false;
+  /// The state is a mode that outputs_at_instant() stores. The block keeps the rate of its inputs.
+  bool mode = false;
 };
 
 struct DiagnosticOptions {
@@ -491,7 +493,7 @@ class Declare {
       if constexpr (continuous) of<member>(block).derivative.bind(derivative, size);
       static_cast<void>(derivative);
     };
-    if (type_.timing == Timing::inherited) type_.timing = Timing::discrete;
+    if (type_.timing == Timing::inherited && !is.mode) type_.timing = Timing::discrete;
     if (continuous) type_.timing = Timing::continuous;
     type_.states.push_back(std::move(spec));
   }

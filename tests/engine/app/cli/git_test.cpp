@@ -1,5 +1,6 @@
 // The verbs diff, merge and git-setup, and git that calls them.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -202,4 +203,30 @@ TEST_CASE("git-setup prints its commands, and applies them once") {
   CHECK(content_of(repository.folder.path(".gitattributes")) == "*.yaml diff=stepwire merge=stepwire\n");
   const Scratch outside;
   CHECK(run_program(outside, {"git-setup", "--apply"}).code == 2);
+}
+
+TEST_CASE("diff --results names the worst difference of each signal and the claims with another verdict") {
+  // A lag of 0.1 s behind a step at 0: y = gain (1 - exp(-t / 0.1 s)). At 1 s the gains 2 and 3 differ most.
+  const std::string lag =
+      "stepwire: 1\ntitle: A lag\nstep: 10 ms\nstop: 1 s\nsolver: rk4\nblocks:\n"
+      "  u: {block: Step, time: 0 s, after: 1 N}\n  y: {block: Lag, u: u, tau: 0.1 s, gain: 2}\n"
+      "record: [u, y]\nclaims:\n  - {that: it is small, final: y, at_most: 2.5 N}\n"
+      "  - {that: it is positive, final: y, at_least: 1 N}\n";
+  const Scratch folder;
+  folder.file("a.yaml", lag);
+  folder.file("b.yaml", other(lag, "gain: 2", "gain: 3"));
+  const auto found = run_program(folder, {"diff", "a.yaml", "b.yaml", "--results"});
+  CHECK(found.code == 1);
+  CHECK_THAT(found.output, Contains("~ y.gain: 2 -> 3"));
+  CHECK_THAT(found.output, Contains("~ y: ") && Contains("at 1 s") && !Contains("~ u:"));
+  CHECK_THAT(found.output, Contains("~ claim 'it is small': holds: 2 N -> does not hold: 3 N"));
+  CHECK_THAT(found.output, !Contains("it is positive"));
+  const auto json = nlohmann::json::parse(
+      run_program(folder, {"diff", "a.yaml", "b.yaml", "--results", "--json"}).output);
+  const auto& signals = json.at("results").at("signals").at("signals");
+  CHECK(signals.at(0).at("name") == "y");
+  CHECK(signals.at(0).at("difference").get<double>() == Approx(1.0 - std::exp(-10.0)).epsilon(1e-4));
+  const auto same = run_program(folder, {"diff", "a.yaml", "a.yaml", "--results"});
+  CHECK(same.code == 0);
+  CHECK_THAT(same.output, Contains("all recorded signals and all verdicts are the same"));
 }
