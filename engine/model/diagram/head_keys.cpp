@@ -129,7 +129,8 @@ const EventsTable& events_table() {
        {"rounds", "how often blocks may change each other at one instant before the run ends", form::whole(1),
         &Events::rounds},
        {"looks",
-        "how often a step is examined for what crosses twice in it: up to 4 where a number turns near 0, above "
+        "how often a step is examined for what crosses twice in it: up to 4 where a number turns near 0, "
+        "above "
         "4 every step",
         form::whole(0), &Events::looks}});
   return table;

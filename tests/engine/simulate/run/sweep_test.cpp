@@ -105,6 +105,31 @@ TEST_CASE("a run that ends early leaves the others of its sweep whole") {
   CHECK(column(result.recordings.at(0).table, "a") == std::vector<double>{1, 5, 5});
 }
 
+TEST_CASE("a number without unit beside numbers with units is refused") {
+  const DiagramFolder folder;
+  const auto refused = [&](const std::string& sweep) {
+    folder.write(
+        "sweep.yaml",
+        head + "parameters: {wall: 1 mm}\nblocks: {y: {block: Gain, u: $wall}}\nsweep: {" + sweep + "}\n");
+    diagram::Loader loader(library());
+    try {
+      make_job(loader, folder.path("sweep.yaml"));
+    } catch (const yaml::Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string cure = "2 has no unit beside 5 mm; write 2 mm";
+  CHECK_THAT(refused("wall: [5 mm, 2]"), Catch::Contains("sweep.wall: " + cure));
+  CHECK_THAT(refused("wall: {from: 5 mm, to: 2, count: 3}"), Catch::Contains(cure));
+  CHECK_THAT(refused("wall: {normal: [5 mm, 2]}, design: {samples: 3}"), Catch::Contains(cure));
+  CHECK_THAT(refused("wall: {uniform: [2, 5 mm]}, design: {samples: 3}"), Catch::Contains(cure));
+  CHECK_THAT(refused("cases: {a: {wall: 5 mm}, b: {wall: 2}}"), Catch::Contains(cure));
+  CHECK(refused("wall: [5 mm, 0, 1 cm]").empty());
+  CHECK(refused("wall: {lognormal: [5 mm, 0.2]}, design: {samples: 3}").empty());
+  CHECK(refused("wall: [0.005, 0.002]").empty());
+}
+
 TEST_CASE("what is swept must be something that can be set") {
   const DiagramFolder folder;
   folder.write(
