@@ -4,6 +4,7 @@
 
 #include <unordered_map>
 
+#include "engine/model/diagram/own_value.hpp"
 #include "engine/model/diagram/variation.hpp"
 
 namespace stepwire::query {
@@ -59,6 +60,7 @@ void mark_numbers(const std::unordered_map<std::string, std::string>& refusals, 
 
 void mark_one(const diagram::Diagram& diagram, const std::string& name, const std::string& how,
               SymbolTable& names) {
+  if (!diagram::find_name(diagram, name)) return;
   const diagram::Variation variation(diagram, {name});
   mark_parameter(name, own_value_text(name, how, names), names);
   for (const int index : variation.definitions()) {

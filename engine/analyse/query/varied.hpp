@@ -16,7 +16,8 @@ struct VariedNames {
 
 /// Marks the parameters and numbers of blocks that the varied names set, directly or through formulas, since
 /// no single value of them is right for all runs. Formulas that use a marked name are refused with its column
-/// or formula as the cure. The diagram has the names.
+/// or formula as the cure. Names that the diagram does not have, such as factors of recorded trials, are
+/// ignored.
 void mark_varied(const diagram::Diagram& diagram, const VariedNames& varied, SymbolTable& names);
 
 }  // namespace stepwire::query

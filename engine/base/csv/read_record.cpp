@@ -287,10 +287,8 @@ class RecordReader {
   /// Reads a header from the last comment where only numbers follow: "# time, force".
   void begin_behind_comments() {
     std::optional<table::CsvLines::Place> last;
-    while (lines_.at_comment()) {
-      last = lines_.place();
-      lines_.skip_line();
-    }
+    for (; lines_.at_comment() || lines_.at_blank_line(); lines_.skip_line())
+      if (lines_.at_comment()) last = lines_.place();
     if (!last || lines_.at_end()) return;
     const table::CsvLines::Place here = lines_.place();
     lines_.separate_by(separator());

@@ -156,10 +156,10 @@ TEST_CASE("what is wrong with one value of a sweep is told at that value") {
     }
     return std::string("none");
   };
-  CHECK(refused("{a: [1, -1 N]}") ==
-        "sweep.yaml:6:16: a: -1 N is not allowed; it must be above 0 N (in the run with a=-1 N)");
-  CHECK(refused("{a: {values: [1, 2 s]}}") ==
-        "sweep.yaml:6:25: a: 2 s is in s; it must be in N (in the run with a=2 s)");
+  CHECK(refused("{a: [1 N, -1 N]}") ==
+        "sweep.yaml:6:18: a: -1 N is not allowed; it must be above 0 N (in the run with a=-1 N)");
+  CHECK(refused("{a: {values: [1 N, 2 s]}}") ==
+        "sweep.yaml:6:27: a: 2 s is in s; it must be in N (in the run with a=2 s)");
   CHECK(refused("{a: {from: 1 s, to: 2 s, count: 2}}") ==
         "sweep.yaml:6:12: a: 1 s is in s; it must be in N (in the run with a=1 s)");
   CHECK(refused("{a: {from: 1 N, to: 2 s, count: 2}}") ==
