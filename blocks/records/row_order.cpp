@@ -24,7 +24,10 @@ void skip_missing(const RowsAsked& asked, RowOrder& order) {
   for (const table::Column* column : columns)
     if (first_missing(column->values, order.rows)) names.push_back("'" + column->name + "'");
   const std::size_t left_out = std::erase_if(order.rows, [&](std::size_t row) {
-    return std::ranges::any_of(columns, [&](const auto* column) { return std::isnan(column->values[row]); });
+    const bool missing =
+        std::ranges::any_of(columns, [&](const auto* column) { return std::isnan(column->values[row]); });
+    if (missing && !(asked.time && std::isnan(asked.time->values[row]))) order.left_out.push_back(row);
+    return missing;
   });
   if (left_out > 0)
     order.notes.push_back(

@@ -27,6 +27,7 @@ struct RowsAsked {
 /// Rows of the table in the order of their times, and notes on the changes for the user.
 struct RowOrder {
   std::vector<std::size_t> rows;
+  std::vector<std::size_t> left_out;  ///< rows with a time that have no value, in the order of the file
   std::vector<std::string> notes;
 };
 

@@ -126,14 +126,16 @@ double rounding_of(const std::vector<double>& values, const std::vector<std::siz
 }
 
 /// Returns the beginning that is taken off the times of a file, in their unit. It is 0, except for times such
-/// as those since 1970, whose rounding in seconds would move rows. Refuses times whose own rounding does;
-/// whole numbers have none.
+/// as those since 1970, whose rounding in seconds would move rows. It is that of all columns of a file,
+/// whichever rows they leave out. Refuses times whose own rounding does; whole numbers have none.
 double beginning_of(const FromFile& asked, const Configure& is, const table::Column& column,
-                    const std::vector<std::size_t>& rows, std::vector<std::string>& notes) {
+                    const RowOrder& order, std::vector<std::string>& notes) {
   constexpr double moves = 1e-6, is_lost = 1e-4;
+  const std::vector<std::size_t>& rows = order.rows;
   const double rounding = rounding_of(column.values, rows);
   if (!(rounding > moves)) return 0.0;
-  const double first = column.values[rows.front()];
+  double first = column.values[rows.front()];
+  for (const std::size_t row : order.left_out) first = std::min(first, column.values[row]);
   const bool whole = std::ranges::all_of(
       rows, [&](std::size_t row) { return column.values[row] == std::round(column.values[row]); });
   if (!whole && rounding > is_lost)
@@ -142,27 +144,35 @@ double beginning_of(const FromFile& asked, const Configure& is, const table::Col
                     "them begin at "
                     "0, or give sample_time",
                     asked.file.string(), first, column.unit.empty() ? "s" : column.unit));
-  notes.push_back(fmt::format("times count from the first row in use, {:.17g} {}", first,
+  notes.push_back(fmt::format("times count from the first row, {:.17g} {}", first,
                               column.unit.empty() ? "s" : column.unit));
   return first;
 }
 
-/// Returns the times of rows [s]. A column without a unit is in seconds.
-std::vector<double> times(const FromFile& asked, const Configure& is, const table::Column* column,
-                          const std::vector<std::size_t>& rows, std::vector<std::string>& notes) {
-  std::vector<double> result;
-  result.reserve(rows.size());
-  if (!column) {
-    for (const std::size_t row : rows) result.push_back(asked.sample_time * static_cast<double>(row));
+/// Times of the rows in use and of those that are left out, in the order of each list [s].
+struct RowTimes {
+  std::vector<double> used, left_out;
+};
+
+/// Returns the times of rows. A column without a unit is in seconds.
+RowTimes times(const FromFile& asked, const Configure& is, const table::Column* column, RowOrder& order) {
+  const auto each = [](const std::vector<std::size_t>& rows, const auto& time_of) {
+    std::vector<double> result;
+    result.reserve(rows.size());
+    for (const std::size_t row : rows) result.push_back(time_of(row));
     return result;
+  };
+  if (!column) {
+    const auto even = [&](std::size_t row) { return asked.sample_time * static_cast<double>(row); };
+    return {each(order.rows, even), each(order.left_out, even)};
   }
   const unit::Unit unit = read_unit<&FromFile::time>(is, column->unit.empty() ? "s" : column->unit);
   if (unit.dimension != time_dimension)
     is.refuse<&FromFile::time>(
         fmt::format("column '{}' is in {}, not in a unit of time", column->name, column->unit));
-  const double beginning = beginning_of(asked, is, *column, rows, notes);
-  for (const std::size_t row : rows) result.push_back(unit.to_si(column->values[row] - beginning));
-  return result;
+  const double beginning = order.rows.empty() ? 0.0 : beginning_of(asked, is, *column, order, order.notes);
+  const auto given = [&](std::size_t row) { return unit.to_si(column->values[row] - beginning); };
+  return {each(order.rows, given), each(order.left_out, given)};
 }
 
 /// Returns the unit of a column: that of the block's key, else of the header, else SI. A name with another
@@ -256,6 +266,33 @@ void note_held(const Record& record, const std::vector<const table::Column*>& co
   }
 }
 
+/// Finds the rows of the part in use that are left out, and those of them before its first row.
+GapsAtEnds gaps_of(const FromFile& asked, const Record& record,
+                   const std::vector<const table::Column*>& columns, const RowOrder& order,
+                   const std::vector<double>& times) {
+  GapsAtEnds gaps;
+  const double slack = 1e-6 * record.interval();
+  double first = record.time.front() - slack;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double time = times[i];
+    if (time < asked.from - slack || time > asked.to + slack) continue;
+    const std::size_t row = order.left_out[i];
+    const auto missing = [row](const table::Column* column) { return std::isnan(column->values[row]); };
+    const std::string place =
+        place_in_file(record.file, *record.table, (*std::ranges::find_if(columns, missing))->name, row);
+    if (gaps.any.empty()) gaps.any = place;
+    if (time < first) {
+      first = time;
+      gaps.late = fmt::format(
+          "{} has no value at {} s, so that this record would begin at {} s and other columns of the file "
+          "earlier; say `from: {} s` in all blocks of the file, or `start: {} s` in this one",
+          place, time, record.time.front(), record.time.front(), record.time.front());
+    }
+  }
+  gaps.begin = record.time.front();
+  return gaps;
+}
+
 }  // namespace
 
 FileRecord read_file_record(const FromFile& asked, const Configure& is, const table::RecordTable& table) {
@@ -269,11 +306,13 @@ FileRecord read_file_record(const FromFile& asked, const Configure& is, const ta
   record.time_name = time_name(asked, table);
   record.table = &table;
   record.hold_missing = asked.missing == FromFile::Missing::hold;
-  const CutRows rows = cut(asked, is, times(asked, is, time, order.rows, order.notes), order.rows, record);
+  const RowTimes all = times(asked, is, time, order);
+  const CutRows rows = cut(asked, is, all.used, order.rows, record);
   for (std::size_t i = 0; i < columns.size(); ++i)
     record.columns.push_back(read_column(asked, is, record, *columns[i], i, rows));
   note_held(record, columns, order.notes);
-  return {std::move(record), std::move(order.notes)};
+  GapsAtEnds gaps = gaps_of(asked, record, columns, order, all.left_out);
+  return {std::move(record), std::move(order.notes), std::move(gaps)};
 }
 
 }  // namespace stepwire

@@ -54,6 +54,8 @@ void FromFile::configure(Configure& is) {
   is.size("n", static_cast<Index>(column.size()));
   offset = start_ == -open ? samples.begin() : start_;
   const bool periodic = interpolation == Interpolation::band_limited || after_end == AfterEnd::repeat;
+  if (start_ == -open && !record->late.empty()) is.refuse<&FromFile::missing>(record->late);
+  if (periodic && !record->uneven.empty()) is.refuse<&FromFile::missing>(record->uneven);
   require_start(*this, is);
   if (!periodic) require_inside(*this, is);
   configure_own_time(*this, is, !periodic && after_end == AfterEnd::refuse);
@@ -109,7 +111,8 @@ void FromFile::declare(Declare<FromFile>& is) {
                                            "parts thousands",
                                     .words = {"detect", ",", "."}});
   is.parameter<&FromFile::missing>({.doc = "an empty cell or NaN in the columns: refuse it, hold the value "
-                                           "of the row before, or skip the row",
+                                           "of the row before, or skip the row; where the first row is "
+                                           "skipped, `from` or `start` says where the record begins",
                                     .words = {"refuse", "hold", "skip"}});
   is.parameter<&FromFile::sort>({.doc = "sorts the rows by their times; rows of one time keep their order"});
   is.parameter<&FromFile::prepare_>(

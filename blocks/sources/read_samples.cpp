@@ -71,6 +71,12 @@ PlayedRecord played(const FromFile& asked, const Configure& is,
     is.refuse<&FromFile::prepare_>(message, where);
   });
   PlayedRecord result{table, samples_of(record), {}, unit_of(record), table->notes};
+  if (result.samples.begin() <= read.gaps.begin + result.samples.slack()) result.late = read.gaps.late;
+  if (!read.gaps.any.empty() && !asked.prepare_.value().list())
+    result.uneven = fmt::format(
+        "repeats a period that all rows of the file give, but {} has no value and its row is left out; say "
+        "`missing: hold`, or resample by `prepare`",
+        read.gaps.any);
   result.notes.insert(result.notes.end(), read.notes.begin(), read.notes.end());
   if (asked.interpolation == FromFile::Interpolation::band_limited) {
     require_even(asked, is, record);

@@ -17,6 +17,8 @@ struct PlayedRecord {
   BandLimited smooth;                ///< of the columns, if band-limited
   std::optional<std::string> unit;   ///< set if all columns have the same one
   std::vector<std::string> notes{};  ///< how the file was read, for the user
+  std::string late{};                ///< refusal of a start that rows without a value move; else empty
+  std::string uneven{};              ///< refusal of a period that rows without a value change; else empty
 };
 
 /// Reads the record of a FromFile and refuses parameters that do not fit the file. The same record is

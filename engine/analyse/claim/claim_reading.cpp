@@ -134,13 +134,8 @@ bool has_offset(const std::string& unit) {
 }
 
 /// Adds a fault for a bare number if the value is shown in a unit other than SI.
-void refuse_bare(const query::WantedNumber& number, const yaml::Node& node, const Claim& claim,
-                 const query::NamesReading& read) {
-  const auto shown = unit::parse_unit(claim.comparison.unit);
-  const bool is_bare = !number.dimension && number.value != 0.0 && unit::parse_quantity(node.text);
-  if (is_bare && shown && claim.comparison.unit != "%" && (shown->scale != 1.0L || shown->offset != 0.0L))
-    read.fault(node.mark, fmt::format("{0} has no unit, but the value is in {1}; write {0} {1}", node.text,
-                                      claim.comparison.unit));
+void refuse_bare(const yaml::Node& node, const std::string& unit, const query::NamesReading& read) {
+  if (auto wrong = query::bare_number(node.text, unit, "the value")) read.fault(node.mark, std::move(*wrong));
 }
 
 /// Reads the number on the right of a comparison, in SI. Adds a fault and returns std::nullopt if its unit
@@ -153,7 +148,7 @@ std::optional<double> read_compared(const yaml::Node& node, Claim& claim, const 
   if (claim.comparison.unit.empty())
     claim.comparison.unit = number->unit;
   else
-    refuse_bare(*number, node, claim, read);
+    refuse_bare(node, claim.comparison.unit, read);
   return number->value;
 }
 

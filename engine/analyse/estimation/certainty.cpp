@@ -98,11 +98,29 @@ Eigen::MatrixXd serial_covariance(const Resolution& resolved, const Eigen::Vecto
          serial.covariance_of_sum(terms, starts) * resolved.inverse;
 }
 
+/// True where all unknowns of a direction have the same absolute value, so that a sum of them and a product
+/// have the same derivatives.
+bool are_alike(const Eigen::VectorXd& direction, const Eigen::VectorXd& values) {
+  constexpr double same = 0.02;
+  if (values.size() == 0) return false;
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (Eigen::Index i = 0; i < direction.size(); ++i) {
+    if (std::abs(direction[i]) < part_of_direction) continue;
+    least = std::min(least, std::abs(values[i]));
+    most = std::max(most, std::abs(values[i]));
+  }
+  return most - least <= same * most;
+}
+
 /// Describes parameters whose joint change has no effect. Without `changes` all change by the same
 /// percentage.
 std::string combination_text(const std::vector<std::string>& up, const std::vector<std::string>& down,
-                             const std::vector<std::string>& all, const std::vector<std::string>& changes) {
+                             const std::vector<std::string>& all, const std::vector<std::string>& changes,
+                             bool alike) {
   const bool even = changes.empty();
+  if (even && all.size() == 2 && alike)
+    return fmt::format("only the {} of {} can be known, which are equally large; fix one of them",
+                       up.size() == 1 ? "product or sum" : "ratio or difference", listed(all));
   if (even && all.size() == 2)
     return fmt::format("only the {} of {} can be known; fix one of them",
                        up.size() == 1 ? "product" : "ratio", listed(all));
@@ -199,7 +217,7 @@ Certainty certainty_of(const Eigen::VectorXd& residuals, const RowMajorMatrix& j
 }
 
 std::string in_words(const Eigen::VectorXd& direction, const std::vector<std::string>& names,
-                     bool known_before) {
+                     bool known_before, const Eigen::VectorXd& values) {
   std::vector<std::string> up, down, changes, all;
   bool even = true;  // all by the same percentage
   for (Eigen::Index i = 0; i < direction.size(); ++i) {
@@ -217,7 +235,8 @@ std::string in_words(const Eigen::VectorXd& direction, const std::vector<std::st
     return fmt::format(
         "only combinations of {} can be known where the search has ended, but each at its start; {}",
         listed(all), elsewhere);
-  return combination_text(up, down, all, even ? std::vector<std::string>{} : changes);
+  return combination_text(up, down, all, even ? std::vector<std::string>{} : changes,
+                          are_alike(direction, values));
 }
 
 }  // namespace stepwire::estimation

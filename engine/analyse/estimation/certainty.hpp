@@ -72,8 +72,9 @@ inline constexpr const char* elsewhere = "try other starts ('starts: 8') or boun
 
 /// Describes a free direction: "only the product of A and alpha can be known; fix one of them". With
 /// `known_before` the start has no free direction: the search has left the region where its unknowns have an
-/// effect.
+/// effect. With the values of the unknowns, a product is told from a sum only where two are not equally
+/// large.
 std::string in_words(const Eigen::VectorXd& direction, const std::vector<std::string>& names,
-                     bool known_before = false);
+                     bool known_before = false, const Eigen::VectorXd& values = {});
 
 }  // namespace stepwire::estimation

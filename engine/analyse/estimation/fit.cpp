@@ -320,7 +320,7 @@ class Fit {
   void describe_free_directions(const Certainty& certainty, const std::vector<std::string>& titles) {
     const bool known = known_at_start(certainty);
     for (const Eigen::VectorXd& direction : certainty.free_directions) {
-      std::string text = in_words(direction, titles, known);
+      std::string text = in_words(direction, titles, known, best_.x);
       if (known)
         leave_astray(std::move(text));
       else
@@ -341,9 +341,10 @@ class Fit {
     const double near = 1e-6 * (parameter.bounded() ? parameter.upper - parameter.lower : parameter.scale);
     one.at_bound = one.value - parameter.lower <= near || parameter.upper - one.value <= near;
     if (one.at_bound)
-      result_.findings.push_back(fmt::format("{} is at its {} bound, beyond which the records may want it",
-                                             one.title(),
-                                             one.value - parameter.lower <= near ? "lower" : "upper"));
+      result_.findings.push_back(fmt::format(
+          "{} is at its {} bound: a value beyond it (wider bounds) or one elsewhere (`starts: 8`) "
+          "may fit better",
+          one.title(), one.value - parameter.lower <= near ? "lower" : "upper"));
     return one;
   }
 

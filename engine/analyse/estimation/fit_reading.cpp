@@ -8,6 +8,7 @@
 #include "engine/analyse/query/names_reading.hpp"
 #include "engine/analyse/query/number.hpp"
 #include "engine/analyse/query/series.hpp"
+#include "engine/analyse/query/varied.hpp"
 #include "engine/base/unit/meaning.hpp"
 
 namespace stepwire::estimation {
@@ -40,6 +41,8 @@ double number(const yaml::Node& node, FitParameter& parameter, const FitReading&
                          read.faults);
   if (!parameter.dimension) parameter.dimension = found->dimension;
   if (parameter.unit.empty()) parameter.unit = found->unit;
+  if (auto wrong = query::bare_number(node.text, parameter.unit, "the parameter"))
+    read.fault(node.mark, std::move(*wrong));
   return found->value;
 }
 
@@ -129,19 +132,27 @@ void read_fit_parameters(FitRequest& request, const yaml::Node& node, const FitR
   for (const yaml::Entry& entry : node.entries) read_parameter(request, entry, yaml::below(read, entry.key));
 }
 
+/// Marks the parameters that a fit changes, and those that follow from them.
+void mark_fitted(const std::vector<FitParameter>& parameters, const diagram::Diagram& diagram,
+                 query::SymbolTable& names) {
+  query::VariedNames fitted{{}, "found by the fit"};
+  for (const FitParameter& parameter : parameters) fitted.names.push_back(parameter.name);
+  query::mark_varied(diagram, fitted, names);
+}
+
 const char* const subject = "fit.curves";
 const char* const over_form = "'over' names the variable and its range in bare numbers: {i: [0, 1]}";
 
 /// Returns the names for a curve's expression: the parameters that all records share, and the variable.
-query::SymbolTable names_in_curve(const query::SymbolTable& names,
-                                  const std::vector<FitParameter>& parameters, const std::string& variable) {
-  query::SymbolTable known{names.file,
+query::SymbolTable names_in_curve(const FitReading& read, const std::string& variable) {
+  query::SymbolTable known{read.names.file,
                            {{variable, unit::Dimension{}, {}}},
-                           names.parameters,
+                           read.names.parameters,
                            {},
                            "is neither the variable nor a fitted parameter that all records share"};
-  for (const FitParameter& parameter : parameters)
+  for (const FitParameter& parameter : read.parameters)
     if (!parameter.each_record) known.columns.push_back({parameter.name, parameter.dimension, {}});
+  mark_fitted(read.parameters, read.diagram, known);
   return known;
 }
 
@@ -169,19 +180,19 @@ const yaml::Key& fit_curve_form() {
 
 class CurveReader {
  public:
-  CurveReader(const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults)
-      : node_(node), names_(names), faults_(faults) {}
+  CurveReader(const yaml::Node& node, const FitReading& fit)
+      : node_(node), fit_(fit), names_(fit.names), faults_(fit.faults) {}
 
-  std::optional<FitCurve> read(const std::vector<FitParameter>& parameters) {
+  std::optional<FitCurve> read() {
     if (!query::NamesReading(subject, names_, faults_).check(node_, fit_curve_form())) return std::nullopt;
     const yaml::Node *over = node_.find("over"), *y = node_.find("y");
     if (!over || !y) return std::nullopt;
     if (!over->is_map() || over->entries.size() != 1) return refused(*over, over_form);
     const yaml::Entry& variable = over->entries.front();
     const auto range = read_range(variable.value);
-    auto series = query::read_series(*y, names_in_curve(names_, parameters, variable.key), subject, faults_);
+    auto series = query::read_series(*y, names_in_curve(fit_, variable.key), subject, faults_);
     if (!series || !range) return std::nullopt;
-    std::vector<double> otherwise = starts_of(series->formula.columns, parameters);
+    std::vector<double> otherwise = starts_of(series->formula.columns, fit_.parameters);
     FitCurve curve{std::move(*series), std::move(otherwise), variable.key, range->first,
                    range->second,      variable.key,         {},           0};
     curve.place = {names_.file, node_.mark};
@@ -215,16 +226,10 @@ class CurveReader {
   }
 
   const yaml::Node& node_;
+  const FitReading& fit_;
   const query::SymbolTable& names_;
   yaml::Faults& faults_;
 };
-
-/// Reads one entry of `fit.curves` for a section with these parameters. Adds faults to `faults` and returns
-/// std::nullopt.
-std::optional<FitCurve> read_fit_curve(const yaml::Node& node, const query::SymbolTable& names,
-                                       const std::vector<FitParameter>& parameters, yaml::Faults& faults) {
-  return CurveReader(node, names, faults).read(parameters);
-}
 
 using FitTable = yaml::KeyTable<FitRequest, FitReading>;
 
@@ -281,15 +286,18 @@ void read_comparison(FitRequest& request, const yaml::Node& map, const FitReadin
 void read_comparisons(FitRequest& request, const yaml::Node& list, const FitReading& read) {
   if (!list.is_list() || list.items.empty())
     return read.fault(list.mark, "is a list of what is compared: [{model: rig.x, measured: record.x}]");
-  for (const yaml::Node& item : list.items) read_comparison(request, item, read);
+  query::SymbolTable names = read.names;
+  mark_fitted(request.parameters, read.diagram, names);
+  FitReading marked(names, read.diagram, read.parameters, read.faults);
+  marked.subject = read.subject;
+  for (const yaml::Node& item : list.items) read_comparison(request, item, marked);
 }
 
 void read_curves(FitRequest& request, const yaml::Node& list, const FitReading& read) {
   if (!list.is_list())
     return read.fault(list.mark, "is a list: [{y: c1*i + c0, over: {i: [0, 1]}, data: current}]");
   for (const yaml::Node& item : list.items)
-    if (auto curve = read_fit_curve(item, read.names, read.parameters, read.faults))
-      request.curves.push_back(std::move(*curve));
+    if (auto curve = CurveReader(item, read).read()) request.curves.push_back(std::move(*curve));
 }
 
 void read_hold_out(FitRequest& request, const yaml::Node& node, const FitReading& read) {

@@ -7,7 +7,13 @@
 // valley a straight step leaves the valley, and the search becomes slow. The geodesic acceleration corrects
 // for the second derivative of the residuals along the step (M. K. Transtrum, J. P. Sethna 2012). It costs
 // two additional runs, beside the step and at its end, and is accepted if it lowers the cost further. An
-// unknown at a bound towards which the cost falls is held; a step that crosses a bound is cut there.
+// unknown at a bound towards which the cost falls is held. A first step that crosses a bound ends before it,
+// since a long step from a poor start would reach bounds at which the unknown has little effect. The second
+// one in a row ends at the bound.
+//
+// A search that ends at a bound may have found a minimum there that is not the best one, e.g. a time constant
+// that is too short for the record. It is repeated once with these unknowns in the middle of their bounds,
+// and the better end is returned.
 //
 // The largest norms of a search from a poor start are those of the start, e.g. of an exponential, and hold
 // all later steps. The search then ends where the cost still falls. Where the cosines between the residuals
@@ -233,11 +239,27 @@ class Descent {
     return slopes;
   }
 
-  /// Returns the end point of a step, cut at the bounds.
+  /// Returns the bound that the end of a step crosses in each unknown; NaN where it crosses none.
+  Eigen::VectorXd crossed_by(const Eigen::VectorXd& step) const {
+    Eigen::VectorXd bounds = found_.x + step.cwiseQuotient(metric_);
+    for (double* x = bounds.data(); x != bounds.data() + bounds.size(); ++x) {
+      const FitParameter& of = parameter(x - bounds.data());
+      *x = *x < of.lower ? of.lower : *x > of.upper ? of.upper : std::numeric_limits<double>::quiet_NaN();
+    }
+    return bounds;
+  }
+
+  /// Returns the end point of a step, cut before a bound that it crosses, and at a bound that the step before
+  /// has crossed, too.
   Eigen::VectorXd end_of(const Eigen::VectorXd& step) const {
+    constexpr double share = 0.9;
     Eigen::VectorXd x = found_.x + step.cwiseQuotient(metric_);
-    for (Eigen::Index i = 0; i < x.size(); ++i)
-      x[i] = std::clamp(x[i], parameter(i).lower, parameter(i).upper);
+    const Eigen::VectorXd bounds = crossed_by(step);
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      if (std::isnan(bounds[i])) continue;
+      const bool again = crossed_.size() > 0 && crossed_[i] == bounds[i];
+      x[i] = again ? bounds[i] : found_.x[i] + share * (bounds[i] - found_.x[i]);
+    }
     return x;
   }
 
@@ -265,7 +287,10 @@ class Descent {
     const bool small = length <= shortest * metric_.cwiseProduct(found_.x).norm();
     const bool flat = std::abs(found_.cost - reached) <= gain * found_.cost && expected <= gain * found_.cost;
     resize(expected > 0.0 ? (found_.cost - reached) / expected : -1.0, length);
-    if (reached < found_.cost && differentiate(next.x, next.residuals, next.slopes)) take(std::move(next));
+    if (reached < found_.cost && differentiate(next.x, next.residuals, next.slopes)) {
+      crossed_ = crossed_by(whole);
+      take(std::move(next));
+    }
     if (small || flat) end_or_begin_again(gain);
   }
 
@@ -296,7 +321,7 @@ class Descent {
   const LeastSquaresOptions& options_;
   Minimum found_;
   Counts here_;
-  Eigen::VectorXd metric_;
+  Eigen::VectorXd metric_, crossed_{};  ///< crossed_: bounds that the last step crossed, NaN without one.
   double radius_ = 0.0;
   int restarts_ = 0;
   double begun_at_ = std::numeric_limits<double>::infinity();  ///< Cost at the last restart.
@@ -335,9 +360,43 @@ std::string falling_text(const std::vector<FallingUnknown>& falling, const std::
       fmt::join(along, ", "), most, elsewhere);
 }
 
+namespace {
+
+/// Returns the middle between two bounds, that of the logarithms where they are more than tenfold apart.
+double middle_of(const FitParameter& parameter) {
+  const double low = parameter.lower, high = parameter.upper;
+  const bool wide = low * high > 0.0 && std::max(low / high, high / low) > 10.0;
+  return wide ? std::copysign(std::sqrt(low * high), low) : 0.5 * (low + high);
+}
+
+/// Returns x with the unknowns at a bound moved inside: to the middle of two bounds, or to the start where
+/// the other side is open.
+Eigen::VectorXd moved_inside(const Residuals& residuals, Eigen::VectorXd x, const Eigen::VectorXd& start) {
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const FitParameter& parameter = residuals.parameter(static_cast<std::size_t>(i));
+    if (x[i] > parameter.lower && x[i] < parameter.upper) continue;
+    x[i] = parameter.bounded() ? middle_of(parameter) : start[i];
+  }
+  return x;
+}
+
+}  // namespace
+
 Minimum minimise(const Residuals& residuals, const FitRequest& request, const Eigen::VectorXd& start,
                  const LeastSquaresOptions& options) {
-  return Descent(residuals, request, options).run(start);
+  Minimum found = Descent(residuals, request, options).run(start);
+  const Eigen::VectorXd inside = found.converged ? moved_inside(residuals, found.x, start) : found.x;
+  if (inside == found.x || found.iterations >= options.iterations) return found;
+  const std::size_t before = found.iterations;
+  LeastSquaresOptions again{options.iterations - before, options.interrupt};
+  if (options.watch)
+    again.watch = [&](std::size_t step, double cost) {
+      options.watch(before + step, std::min(cost, found.cost));
+    };
+  Minimum other = Descent(residuals, request, again).run(inside);
+  found.iterations = other.iterations += before;
+  constexpr double better = 1e-9;  // relative
+  return other.cost < found.cost * (1.0 - better) ? other : found;
 }
 
 }  // namespace stepwire::estimation

@@ -141,7 +141,7 @@ std::shared_ptr<const run::RunNumbers> numbers_of_folder(const plan::Plan& plan,
   take_parameters(note, diagram);
   take_sweep(note, swept, words, diagram);
   const run::Job job{plan::make_plan(std::move(diagram)), {{}}, {}};
-  query::SymbolTable names = names_of(job);
+  query::SymbolTable names = names_of_file(job);
   yaml::Faults faults;
   auto numbers = read_kept_numbers(job.plan.diagram, names, faults);
   faults.throw_if_any();

@@ -12,6 +12,7 @@
 
 #include "engine/analyse/query/formula.hpp"
 #include "engine/analyse/query/number.hpp"
+#include "engine/analyse/query/varied.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/signal_words.hpp"
 #include "engine/simulate/record/recorder.hpp"
@@ -60,6 +61,8 @@ void add_swept_names(const run::Job& job, query::SymbolTable& names) {
       if (!std::holds_alternative<double>(parameter.value.content))
         for (const std::string& word : run::words_of(axis)) name.words.push_back(without_quotes(word));
     }
+    // The number of a block has the unit that its values have.
+    if (!name.dimension && !axis.label) name.dimension = axis.values.dimension();
     names.columns.push_back(std::move(name));
   }
 }
@@ -146,6 +149,16 @@ std::string without_quotes(const std::string& word) {
 }
 
 query::SymbolTable names_of(const run::Job& job) {
+  query::SymbolTable names = names_of_file(job);
+  if (job.points.empty()) return names;
+  query::VariedNames swept{{}, "swept"};
+  for (const diagram::Sweep::Axis& axis : job.plan.diagram.sweep->axes)
+    if (!axis.label) swept.names.push_back(axis.parameter);
+  query::mark_varied(job.plan.diagram, swept, names);
+  return names;
+}
+
+query::SymbolTable names_of_file(const run::Job& job) {
   const diagram::Diagram& diagram = job.plan.diagram;
   query::SymbolTable names{diagram.file, {}, {}};
   names.columns.push_back({"time", unit::parse_unit("s")->dimension, std::nullopt});

@@ -19,6 +19,11 @@ struct FormulaError : expression::ExpressionError {
   yaml::Message message;
 };
 
+/// Throws FormulaError for a parameter or formula whose value differs from run to run.
+void refuse_varied(const auto& named, std::size_t position) {
+  if (!named.varies.empty()) throw FormulaError(named.varies, position);
+}
+
 /// Returns the column of words on the left of a comparison operator that ends at `end`; nullptr if there is
 /// none.
 const RecordedName* compared_column(std::string_view text, std::size_t end, const SymbolTable& names) {
@@ -68,6 +73,7 @@ std::size_t append_drawn(std::string_view text, std::size_t begin, const SymbolT
   const std::string name = name_at(text, begin);
   const auto found = std::ranges::find(names.drawn, name, &NamedFormula::name);
   if (found == names.drawn.end() || names.find(name)) return begin;
+  refuse_varied(*found, begin);
   result.append("(" + substitute(found->text, names).text + ")", begin);
   return begin + name.size();
 }
@@ -101,6 +107,8 @@ std::size_t append_parameter(std::string_view text, std::size_t begin, const Sym
   const KnownParameter* const found = parameter_of(name, names);
   const NamedFormula* const text_value = found || names.find(name) ? nullptr : text_of(name, names);
   if (!found && !names.find(name) && !text_value) throw FormulaError(unknown_parameter(name, names), begin);
+  if (found) refuse_varied(*found, begin);
+  if (text_value) refuse_varied(*text_value, begin);
   const std::string inserted = found        ? number_text(found->value, found->dimension, names)
                                : text_value ? text_value->text
                                             : name;
@@ -137,6 +145,7 @@ Substituted with_parameters(const Substituted& text, const SymbolTable& names) {
     }
     const std::string name = name_at(marked, at + 1);
     const KnownParameter& parameter = *parameter_of(name, names);
+    refuse_varied(parameter, text.origin[i]);
     result.append(fmt::format("({})", number_text(parameter.value, parameter.dimension, names)),
                   text.origin[i]);
     at += name.size() + 1;

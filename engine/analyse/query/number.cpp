@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <vector>
 
@@ -97,6 +98,16 @@ void check_dimension(const WantedNumber& number, const std::optional<unit::Dimen
   if (!number.dimension || !dimension) return;
   const std::string fault = number_fault(number, *dimension, what);
   if (!fault.empty()) faults.add({{names.file, node.mark}, subject, fault, {}});
+}
+
+std::optional<yaml::Message> bare_number(const std::string& text, const std::string& unit,
+                                         const std::string& what) {
+  const auto shown = unit::parse_unit(unit);
+  const auto number = unit::parse_quantity(text);
+  if (!shown || unit == "%" || (shown->scale == 1.0L && shown->offset == 0.0L)) return std::nullopt;
+  if (!number || number->dimension || number->value == 0.0 || !std::isfinite(number->value))
+    return std::nullopt;
+  return yaml::fault_text("{} has no unit, but {} is in {}; write {} {}", text, what, unit, text, unit);
 }
 
 std::string read_text(const yaml::Node& node, const SymbolTable& names, const std::string& subject,

@@ -7,6 +7,7 @@
 #include "engine/analyse/query/symbol_table.hpp"
 #include "engine/base/unit/unit.hpp"
 #include "engine/base/yaml/document.hpp"
+#include "engine/base/yaml/message.hpp"
 
 namespace stepwire::query {
 
@@ -34,6 +35,11 @@ std::string compared_fault(const Formula& first, const Formula& second);
 void check_dimension(const WantedNumber& number, const std::optional<unit::Dimension>& dimension,
                      const std::string& what, const yaml::Node& node, const SymbolTable& names,
                      const std::string& subject, yaml::Faults& faults);
+
+/// Returns the fault of a number written without unit where `what` is in a unit other than SI; std::nullopt
+/// for 0, infinity, percent and other texts, such as formulas.
+std::optional<yaml::Message> bare_number(const std::string& text, const std::string& unit,
+                                         const std::string& what);
 
 /// Returns the text of a scalar; adds a fault for any other node.
 std::string read_text(const yaml::Node& node, const SymbolTable& names, const std::string& subject,

@@ -40,7 +40,8 @@ struct KnownParameter {
   std::string name;
   double value = 0.0;  ///< Value in SI.
   std::optional<unit::Dimension> dimension{};
-  std::string unit{};  ///< Unit as the file writes it; empty without one.
+  std::string unit{};    ///< Unit as the file writes it; empty without one.
+  std::string varies{};  ///< Refusal of a value that differs from run to run; empty for a constant.
 };
 
 /// A block with an outline that figures can draw.
@@ -58,7 +59,8 @@ struct NamedTable {
 /// A name for an expression.
 struct NamedFormula {
   std::string name;
-  std::string text;  ///< Text as in the file.
+  std::string text;      ///< Text as in the file.
+  std::string varies{};  ///< Refusal of a value that differs from run to run; empty for a constant.
 };
 
 /// All names that figures and claims of one diagram file may use.

@@ -79,8 +79,8 @@ Json row_json(const statistics::AnovaRow& row) {
                   .set("against", row.against);
   if (row.sphericity)
     json.set("sphericity", Json::object()
-                               .set("epsilon", row.sphericity->epsilon)
-                               .set("P_corrected", row.sphericity->p_corrected)
+                               .set("epsilon_greenhouse_geisser", row.sphericity->epsilon)
+                               .set("P_greenhouse_geisser", row.sphericity->p_corrected)
                                .set("mauchly_W", row.sphericity->mauchly)
                                .set("mauchly_P", row.sphericity->p_mauchly));
   return json;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <unordered_map>
 
 #include "engine/analyse/statistics/descriptive.hpp"
 #include "engine/analyse/statistics/repeated_measures.hpp"
@@ -12,6 +14,7 @@
 #include "engine/analyse/study/comparison_tables.hpp"
 #include "engine/base/csv/cell.hpp"
 #include "engine/base/csv/decimal_survey.hpp"
+#include "engine/base/csv/read_record.hpp"
 #include "engine/base/table/csv_cell.hpp"
 #include "engine/base/table/csv_lines.hpp"
 #include "engine/base/table/table_file.hpp"
@@ -34,21 +37,20 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
 /// Reads the columns that a request names.
 class ScoreReader {
  public:
-  ScoreReader(const std::string& path, ScoresRequest& request) : path_(path), request_(request) {
-    for (const table::Column& column : table::read_csv_header(path).columns) names_.push_back(column.name);
+  ScoreReader(const std::string& path, ScoresRequest& request)
+      : path_(path), request_(request), table_(csv::read_texts(path)) {
+    for (const table::Column& column : table_.columns)
+      if (!column.name.empty()) names_.push_back(column.name);
     complete();
   }
 
-  Observations read() {
-    table::ColumnWords words;
-    for (const std::string& name : names_) words[name] = {};
-    const table::Table table = table::read_csv(path_, words);
-    const table::Column& scores = *table.find(request_.score);
-    Observations result{request_.score, numbers(scores, words[request_.score]), {}};
-    if (!scores.unit.empty()) result.response += fmt::format(" [{}]", scores.unit);
+  Observations read() const {
+    Observations result{request_.score, numbers(cells(request_.score)), {}};
+    const std::string& unit = table_.columns[place(request_.score)].unit;
+    if (!unit.empty()) result.response += fmt::format(" [{}]", unit);
     std::vector<std::string> all = request_.factors;
     if (!request_.subject.empty()) all.push_back(request_.subject);
-    for (const std::string& name : all) result.factors.push_back(factor(*table.find(name), words[name]));
+    for (const std::string& name : all) result.factors.push_back(factor(name));
     return result;
   }
 
@@ -58,23 +60,26 @@ class ScoreReader {
   }
 
   [[noreturn]] void fail_at(std::size_t row, const std::string& message) const {
-    throw table::TableError(
-        fmt::format("{}:{}: {} (column '{}')", path_, row + 2, message, table::csv_shown(request_.score)));
+    throw table::TableError(fmt::format("{}:{}: {} (column '{}')", path_, table_.lines[row], message,
+                                        table::csv_shown(request_.score)));
   }
 
-  /// Returns the scores of a column that was read as words. The decimal mark is a point. It is a comma where
-  /// the column proves that, by the rules of measured records.
-  std::vector<double> numbers(const table::Column& column, const std::vector<std::string>& words) const {
-    const csv::Decimal decimal = decimal_of(column, words);
+  std::size_t place(const std::string& name) const {
+    return static_cast<std::size_t>(std::ranges::find(table_.columns, name, &table::Column::name) -
+                                    table_.columns.begin());
+  }
+  const std::vector<std::string>& cells(const std::string& name) const { return table_.cells[place(name)]; }
+
+  /// Returns the numbers of a column. The decimal mark is a point. It is a comma where the column proves
+  /// that, by the rules of measured records.
+  std::vector<double> numbers(const std::vector<std::string>& texts) const {
+    const csv::Decimal decimal = decimal_of(texts);
     std::vector<double> numbers;
-    for (std::size_t row = 0; row < column.values.size(); ++row) {
-      const std::string& word = words[static_cast<std::size_t>(column.values[row])];
-      if (csv::is_missing(word)) fail_at(row, "the score is missing; leave the row out, or mend it");
-      const auto cell = decimal == csv::Decimal::comma ? csv::cell_number(word, decimal) : std::nullopt;
-      const std::string text = cell ? cell->text : word;
-      const auto value =
-          cell || decimal != csv::Decimal::comma ? table::csv_number(text) : std::optional<double>();
-      if (!value) fail_at(row, fmt::format("'{}' {}", table::csv_shown(word), problem(word, decimal)));
+    for (std::size_t row = 0; row < texts.size(); ++row) {
+      const std::string& text = texts[row];
+      if (csv::is_missing(text)) fail_at(row, "the score is missing; leave the row out, or mend it");
+      const auto value = number(text, decimal);
+      if (!value) fail_at(row, fmt::format("'{}' {}", table::csv_shown(text), problem(text, decimal)));
       if (!std::isfinite(*value))
         fail_at(row, fmt::format("{} is no finite number; leave the row out, or mend it", *value));
       numbers.push_back(*value);
@@ -82,13 +87,20 @@ class ScoreReader {
     return numbers;
   }
 
-  csv::Decimal decimal_of(const table::Column& column, const std::vector<std::string>& words) const {
-    if (std::ranges::all_of(words,
-                            [](const std::string& word) { return table::csv_number(word).has_value(); }))
+  /// Returns the number of a cell; std::nullopt for a text, and for marks of thousands where points are
+  /// decimal.
+  static std::optional<double> number(const std::string& text, csv::Decimal decimal) {
+    const auto cell = csv::cell_number(text, decimal);
+    if (cell && (decimal == csv::Decimal::comma || !cell->grouped)) return table::csv_number(cell->text);
+    return decimal == csv::Decimal::comma ? std::nullopt : table::csv_number(text);
+  }
+
+  static csv::Decimal decimal_of(const std::vector<std::string>& texts) {
+    if (std::ranges::all_of(
+            texts, [](const std::string& text) { return number(text, csv::Decimal::point).has_value(); }))
       return csv::Decimal::point;
     csv::DecimalSurvey survey(1);
-    for (std::size_t row = 0; row < column.values.size(); ++row)
-      survey.add(0, words[static_cast<std::size_t>(column.values[row])], row + 2);
+    for (std::size_t row = 0; row < texts.size(); ++row) survey.add(0, texts[row], row);
     return survey.verdict(false).decimal;
   }
 
@@ -131,18 +143,24 @@ class ScoreReader {
                .text());
   }
 
-  Factor factor(const table::Column& column, const std::vector<std::string>& words) const {
-    Factor result{column.name, words, {}, column.name == request_.subject};
-    for (std::size_t row = 0; row < column.values.size(); ++row) {
-      result.level.push_back(static_cast<std::size_t>(column.values[row]));
-      if (words[result.level.back()].empty())
-        throw table::TableError(fmt::format("{}:{}: '{}' is missing", path_, row + 2, column.name));
+  /// Returns a factor, with its levels in the order of their appearance.
+  Factor factor(const std::string& name) const {
+    const std::vector<std::string>& texts = cells(name);
+    Factor result{name, {}, {}, name == request_.subject};
+    std::unordered_map<std::string, std::size_t> levels;
+    for (std::size_t row = 0; row < texts.size(); ++row) {
+      if (texts[row].empty())
+        throw table::TableError(fmt::format("{}:{}: '{}' is missing", path_, table_.lines[row], name));
+      const auto [level, is_new] = levels.try_emplace(table::csv_word(texts[row]), result.levels.size());
+      if (is_new) result.levels.push_back(level->first);
+      result.level.push_back(level->second);
     }
     return result;
   }
 
   const std::string& path_;
   ScoresRequest& request_;
+  csv::TextColumns table_;
   std::vector<std::string> names_;
 };
 

@@ -40,6 +40,14 @@ std::vector<std::string> set_for_each_trial(const StudyRequest& request) {
   return own;
 }
 
+std::vector<std::string> varied_by_trials(const StudyRequest& request) {
+  std::vector<std::string> all = set_for_each_trial(request);
+  if (request.circle) all.insert(all.end(), {request.circle->x, request.circle->y, request.circle->radius});
+  for (const CarriedValue& carried : request.carry) all.push_back(carried.parameter);
+  std::erase(all, "");
+  return all;
+}
+
 void check_sweep(const StudyRequest& request, const diagram::Diagram& diagram, yaml::Faults& faults) {
   if (!diagram.sweep || diagram.sweep->axes.empty()) return;
   if (!request.trials.empty())

@@ -93,6 +93,9 @@ void check_carry(const StudyRequest& request, const plan::Plan& plan, yaml::Faul
 /// Returns the parameters that each trial sets, whatever their value in the file.
 std::vector<std::string> set_for_each_trial(const StudyRequest& request);
 
+/// Returns the parameters whose values differ between trials: those, the circle's and the carried ones.
+std::vector<std::string> varied_by_trials(const StudyRequest& request);
+
 /// Checks the sweep. It may not vary what the study sets for each trial, except carried values. Recorded
 /// trials have no sweep.
 void check_sweep(const StudyRequest& request, const diagram::Diagram& diagram, yaml::Faults& faults);

@@ -24,6 +24,8 @@ ParameterTable::Row number_row(std::string name, std::string doc, double TunePar
                                    read.subject, read.faults);
             if (!parameter.dimension) parameter.dimension = found->dimension;
             if (parameter.unit.empty()) parameter.unit = found->unit;
+            if (auto wrong = query::bare_number(node.text, parameter.unit, "the parameter"))
+              read.fault(node.mark, std::move(*wrong));
             parameter.*member = found->value;
           }};
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "engine/analyse/query/varied.hpp"
 #include "engine/analyse/tuning/constraint.hpp"
 #include "engine/analyse/tuning/tune_keys.hpp"
-#include "engine/model/diagram/variation.hpp"
 
 namespace stepwire::tuning {
 
@@ -77,8 +77,8 @@ const TuneTable& tune_table() {
   return table;
 }
 
-/// Returns the names for the section: tuned parameters are columns of each run, and block numbers that depend
-/// on them are removed.
+/// Returns the names for the section: tuned parameters are columns of each run; parameters and block numbers
+/// that follow from them are marked.
 query::SymbolTable names_while_tuned(const query::SymbolTable& names, const diagram::Diagram& diagram,
                                      const TuneRequest& request) {
   query::SymbolTable varied = names;
@@ -87,21 +87,10 @@ query::SymbolTable names_while_tuned(const query::SymbolTable& names, const diag
     tuned.push_back(parameter.name);
     varied.columns.push_back({parameter.name, parameter.dimension, std::nullopt});
   }
-  const diagram::Variation variation(diagram, tuned);
-  std::vector<std::string> moved;
-  for (const diagram::Target& target : variation.targets())
-    moved.push_back(diagram::name_of(diagram, target));
-  std::vector<std::string> parameters = tuned;
-  for (const int definition : variation.definitions())
-    parameters.push_back(diagram.parameters[static_cast<std::size_t>(definition)].name);
   std::erase_if(varied.parameters, [&](const query::KnownParameter& parameter) {
-    return std::ranges::find(parameters, parameter.name) != parameters.end();
+    return std::ranges::find(tuned, parameter.name) != tuned.end();
   });
-  std::erase_if(varied.drawn, [&](const query::NamedFormula& drawn) {
-    return std::ranges::any_of(moved, [&](const std::string& name) {
-      return drawn.name == name || drawn.name.starts_with(name + ".");
-    });
-  });
+  query::mark_varied(diagram, {tuned, "tuned"}, varied);
   return varied;
 }
 

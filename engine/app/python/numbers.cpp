@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <string_view>
 
 #include "engine/base/text/characters.hpp"
 #include "engine/base/unit/unit.hpp"
@@ -22,6 +24,48 @@ _object* numbers_of(std::span<const double> numbers, std::size_t columns) {
     return py::array_t<double, py::array::f_style>(shape, numbers.data()).release().ptr();
   }
   return py::array_t<double>(static_cast<py::ssize_t>(numbers.size()), numbers.data()).release().ptr();
+}
+
+namespace {
+
+/// Cuts the number behind the last dot off a name, and returns it as an index from 0.
+std::optional<std::size_t> cut_index(std::string_view& name) {
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string_view::npos) return std::nullopt;
+  std::size_t number = 0;
+  const char* const end = name.data() + name.size();
+  const auto [rest, error] = std::from_chars(name.data() + dot + 1, end, number);
+  if (error != std::errc{} || rest != end || number == 0) return std::nullopt;
+  name = name.substr(0, dot);
+  return number - 1;
+}
+
+const SignalInfo* find_array(const Model& model, std::string_view name, bool is_matrix) {
+  const auto& all = model.signals();
+  const auto found = std::ranges::find(all, name, &SignalInfo::name);
+  return found != all.end() && found->size > 1 && (found->columns > 1) == is_matrix ? &*found : nullptr;
+}
+
+}  // namespace
+
+NamedSignal find_signal(const Model& model, const std::string& name) {
+  const auto& all = model.signals();
+  if (std::ranges::find(all, name, &SignalInfo::name) != all.end()) return {model.signal(name), std::nullopt};
+  std::string_view base = name;
+  const auto last = cut_index(base);
+  const SignalInfo* const vector = last ? find_array(model, base, false) : nullptr;
+  if (vector && *last < vector->size) return {model.signal(vector->name), last};
+  const auto row = last ? cut_index(base) : std::nullopt;
+  const SignalInfo* const matrix = row ? find_array(model, base, true) : nullptr;
+  if (!matrix) return {model.signal(name), std::nullopt};  // throws
+  const std::size_t rows = matrix->size / matrix->columns;
+  if (*row >= rows || *last >= matrix->columns) return {model.signal(name), std::nullopt};  // throws
+  return {model.signal(matrix->name), *row + *last * rows};
+}
+
+_object* numbers_of(const Model& model, const NamedSignal& signal, std::span<const double> numbers) {
+  if (signal.element) return PyFloat_FromDouble(numbers[*signal.element]);
+  return numbers_of(numbers, model.signals()[signal.id.index].columns);
 }
 
 _object* object_of(const Value& value) {
@@ -63,8 +107,8 @@ py::type_error wrong_kind(const InputInfo& input) {
   if (input.columns == 1)
     return py::type_error(input.name +
                           " takes numbers: one, a list or an array in SI, or texts with their unit");
-  return py::type_error(fmt::format("{} takes an array ({}, {}) in SI", input.name, input.size / input.columns,
-                                    input.columns));
+  return py::type_error(
+      fmt::format("{} takes an array ({}, {}) in SI", input.name, input.size / input.columns, input.columns));
 }
 
 std::vector<double> read_matrix(py::handle value, const InputInfo& input) {

@@ -29,8 +29,8 @@ class Seen {
     throw std::runtime_error("a run can be looked at during a call of its observer alone");
   }
   py::object signal(const std::string& name) const {
-    const SignalId id = model_.signal(name);
-    return py::reinterpret_steal<py::object>(numbers_of(run()[id], model_.signals()[id.index].columns));
+    const NamedSignal signal = find_signal(model_, name);
+    return py::reinterpret_steal<py::object>(numbers_of(model_, signal, run()[signal.id]));
   }
   void set(const std::string& name, const py::object& value) {
     static_cast<void>(run());
@@ -42,8 +42,9 @@ class Seen {
   void write(const std::string& name, const py::object& value) {
     static_cast<void>(run());
     const InputId input = model_.input(name);
-    waiting.push_back([input, numbers = numbers_in(value.ptr(), model_.inputs()[input.index])](
-                          Running& run) { run.set(input, std::span<const double>(numbers)); });
+    waiting.push_back([input, numbers = numbers_in(value.ptr(), model_.inputs()[input.index])](Running& run) {
+      run.set(input, std::span<const double>(numbers));
+    });
   }
   void stop() {
     static_cast<void>(run());
@@ -169,7 +170,9 @@ void add_observing(_object* module) {
       .def_property_readonly(
           "time", [](const Seen& seen) { return seen.run().time(); }, "[s]")
       .def("__getitem__", &Seen::signal,
-           "The numbers of a signal at this tick, SI: a float, or an array (n,) or (m, n).")
+           "The numbers of a signal at this tick, SI: a float, or an array (n,) or (m, n); of an element, "
+           "'x.2' "
+           "or 'R.1.2', a float.")
       .def("set", &Seen::set, py::arg("name"), py::arg("value"),
            "Sets a parameter or a value of a block from the next tick on: a number in SI, or a text with its "
            "unit.")

@@ -39,9 +39,9 @@ class Stepping {
   }
   py::object signal(const std::string& name) {
     const Use use(*this);
-    const SignalId id = simulation_.model().signal(name);
-    const std::size_t columns = simulation_.model().signals()[id.index].columns;
-    return py::reinterpret_steal<py::object>(numbers_of(simulation_[id], columns));
+    const Model& model = simulation_.model();
+    const NamedSignal signal = find_signal(model, name);
+    return py::reinterpret_steal<py::object>(numbers_of(model, signal, simulation_[signal.id]));
   }
   void set(const std::string& name, const py::object& value) {
     const Use use(*this);
@@ -136,7 +136,9 @@ void add_stepping(_object* module) {
            "solver\n"
            "ends the run, and where it has ended.")
       .def("__getitem__", &Stepping::signal, py::arg("signal"),
-           "The numbers of a signal at the tick that is shown, SI: a float, or a new array (n,) or (m, n).")
+           "The numbers of a signal at the tick that is shown, SI: a float, or a new array (n,) or (m, n); "
+           "of an "
+           "element, 'x.2' or 'R.1.2', a float.")
       .def("set", &Stepping::set, py::arg("name"), py::arg("value"),
            "Sets a parameter ('rig.mass') or a value of a block ('spring.gain') from the next tick on: a "
            "number in\n"

@@ -25,7 +25,7 @@ std::string source_text(const InputSpec& input) {
 std::string example_value(const ParameterSpec& spec) {
   switch (spec.kind) {
     case ParameterKind::file:
-      return "record.csv";
+      return spec.doc.find(".fmu") == std::string::npos ? "record.csv" : "unit.fmu";
     case ParameterKind::text:
       return spec.name;
     case ParameterKind::texts:

@@ -41,6 +41,12 @@ std::string errors_of(const estimation::FittedNumber& number, const Shown& shown
   return fmt::format("{:.2g} serial, {}", shown.width(number.serial_error), classical);
 }
 
+/// True where the records fit so well that only rounding error is left.
+bool is_exact(const estimation::FittedNumber& number) {
+  constexpr double rounding = 1e-13, nothing = 1e-100;
+  return number.standard_error <= std::max(rounding * std::abs(number.value), nothing);
+}
+
 std::string number_line(const estimation::FittedNumber& number, std::size_t width) {
   const Shown shown(number);
   const std::string unit = shown.unit().empty() ? "" : " " + shown.unit();
@@ -49,6 +55,8 @@ std::string number_line(const estimation::FittedNumber& number, std::size_t widt
     return fmt::format("  {:<{}}  {:<22} at its bound\n", number.title(), width, value);
   if (!std::isfinite(number.standard_error))
     return fmt::format("  {:<{}}  {}\n", number.title(), width, value);
+  if (is_exact(number))
+    return fmt::format("  {:<{}}  {:<22} exact but for rounding\n", number.title(), width, value);
   return fmt::format("  {:<{}}  {:<22} +- {} (95 %: {} to {})\n", number.title(), width, value,
                      errors_of(number, shown), query::short_number(shown.value(number.low), 6),
                      query::short_number(shown.value(number.high), 6));

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "engine/analyse/linear/columns.hpp"
+#include "engine/analyse/query/varied.hpp"
 #include "engine/analyse/study/study_columns.hpp"
 #include "engine/analyse/study/study_tables.hpp"
 #include "engine/app/session/sweep_sections.hpp"
@@ -66,6 +67,8 @@ void add_study(diagram::Loader& loader, const LoadOptions& options, LoadedModel&
   study::check_carry(*model.study, model.job.plan, faults);
   faults.throw_if_any();
   study::add_study_names(*model.study, diagram, names);
+  query::mark_varied(diagram, {study::varied_by_trials(*model.study), "set by the study for each trial"},
+                     names);
   model.tables = names.tables = study::empty_study_tables();
 }
 
@@ -86,13 +89,24 @@ void add_linear(diagram::Loader& loader, LoadedModel& model, query::SymbolTable&
     std::ranges::move(linear::analysis_names(analysis, recording++), std::back_inserter(names.columns));
 }
 
+/// Marks the parameters that a fit finds for each of several records.
+void mark_fitted_apart(const LoadedModel& model, query::SymbolTable& names) {
+  if (model.job.points.size() < 2) return;
+  query::VariedNames apart{{}, "found for each record"};
+  for (const estimation::FitParameter& parameter : model.fit->parameters)
+    if (parameter.each_record) apart.names.push_back(parameter.name);
+  query::mark_varied(model.job.plan.diagram, apart, names);
+}
+
 /// Reads the sections that evaluate runs, and adds their names. The fit is read first, with the names of all
 /// rows, because it does not depend on the numbers that the sweep keeps.
 void read_analyses(diagram::Loader& loader, LoadedModel& model, query::SymbolTable& names,
                    yaml::Faults& faults) {
   const diagram::Diagram& diagram = model.job.plan.diagram;
+  const std::size_t before = faults.size();
   if (diagram.fit.kind != yaml::Node::Kind::empty)
     model.fit = estimation::read_fit(diagram.fit, names, diagram, faults);
+  if (model.fit && faults.size() == before) mark_fitted_apart(model, names);
   add_kept(model, names, faults);
   add_linear(loader, model, names, faults);
   add_sensitivity(model, names, faults);

@@ -230,6 +230,29 @@ class RecordReader {
   }
 
   table::RecordTable read() {
+    prepare(header());
+    for (skip_comments(); !lines_.only_blanks_left(); skip_comments()) row();
+    return finished();
+  }
+
+  TextColumns read_texts() {
+    TextColumns result{header(), {}, {}};
+    result.cells.resize(wanted_);
+    std::size_t filled = 0;
+    for (skip_comments(); !lines_.only_blanks_left(); skip_comments()) {
+      result.lines.push_back(lines_.line());
+      const std::vector<std::string> texts = cells();
+      for (std::size_t i = 0; i < wanted_; ++i) result.cells[i].push_back(texts[i]);
+      if (!std::ranges::all_of(texts, &std::string::empty)) filled = result.lines.size();
+    }
+    result.lines.resize(filled);
+    for (std::vector<std::string>& column : result.cells) column.resize(filled);
+    return result;
+  }
+
+ private:
+  /// Reads all lines above the values, and returns the columns.
+  std::vector<table::Column> header() {
     begin();
     if (lines_.only_blanks_left()) throw TableError(fmt::format("{}: the file is empty", path_));
     const std::vector<std::string> titles = lines_.fields();
@@ -239,14 +262,13 @@ class RecordReader {
     lines_.skip_line_end();
     skip_comments();
     take_units(columns);
-    prepare(std::move(columns));
-    for (skip_comments(); !lines_.only_blanks_left(); skip_comments()) row();
-    return finished();
+    return columns;
   }
 
- private:
+  /// Skips comments and, in a file of several columns, blank lines. A blank line of a single column is a
+  /// missing value.
   void skip_comments() {
-    while (lines_.at_comment()) lines_.skip_line();
+    while (lines_.at_comment() || (wanted_ > 1 && lines_.at_blank_line())) lines_.skip_line();
   }
 
   /// Reads the lines above the columns: "sep=;" of spreadsheets, comments, and the separator of the header.
@@ -265,10 +287,8 @@ class RecordReader {
   /// Reads a header from the last comment where only numbers follow: "# time, force".
   void begin_behind_comments() {
     std::optional<table::CsvLines::Place> last;
-    while (lines_.at_comment()) {
-      last = lines_.place();
-      lines_.skip_line();
-    }
+    for (; lines_.at_comment() || lines_.at_blank_line(); lines_.skip_line())
+      if (lines_.at_comment()) last = lines_.place();
     if (!last || lines_.at_end()) return;
     const table::CsvLines::Place here = lines_.place();
     lines_.separate_by(separator());
@@ -492,6 +512,11 @@ DecodedText decoded(const std::string& path) {
 table::RecordTable read_record(const std::string& path, Decimal decimal) {
   const DecodedText text = decoded(path);
   return RecordReader(path, text, decimal).read();
+}
+
+TextColumns read_texts(const std::string& path) {
+  const DecodedText text = decoded(path);
+  return RecordReader(path, text, Decimal::point).read_texts();
 }
 
 }  // namespace stepwire::csv

@@ -49,6 +49,12 @@ char CsvLines::separator_of_line() const {
   return ',';
 }
 
+bool CsvLines::at_blank_line() const {
+  const char* at = at_;
+  while (at != end_ && is_csv_blank(*at) && (*at != separator_ || separator_ == ' ')) ++at;
+  return at != end_ && (*at == '\n' || *at == '\r');
+}
+
 void CsvLines::skip_line() {
   while (!at_line_end()) ++at_;
   skip_line_end();

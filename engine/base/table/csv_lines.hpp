@@ -57,6 +57,8 @@ class CsvLines {
   bool at(std::string_view text) const { return std::string_view(at_, bytes_left()).starts_with(text); }
   /// True where the line begins with '#'.
   bool at_comment() const { return at("#"); }
+  /// True where only blanks, no separators, follow up to the end of the line, and more text behind it.
+  bool at_blank_line() const;
   void skip_line();
   void skip_line_end();
   /// True where no more fields follow. A run of blank lines is scanned only once.

@@ -54,7 +54,7 @@ class NumbersReading {
   std::optional<SpreadParameter> read() {
     if (!list_.is_list() || list_.items.size() != row_.arguments.size())
       return refuse(list_.mark, "is a list of " + names());
-    if (!take_unit()) return std::nullopt;
+    if (!take_unit() || !alike_in_units()) return std::nullopt;
     for (std::size_t i = 0; i < row_.arguments.size(); ++i)
       if (!take(i)) return std::nullopt;
     result_.distribution.kind = row_.kind;
@@ -91,6 +91,14 @@ class NumbersReading {
       result_.unit = unit::si_name(*dimension_);
     unit_ = unit::parse_unit(result_.unit).value_or(unit::Unit{});
     return true;
+  }
+
+  /// Refuses a number without unit beside numbers with units; a ratio has none.
+  bool alike_in_units() {
+    std::vector<const yaml::Node*> numbers;
+    for (std::size_t i = 0; i < row_.arguments.size(); ++i)
+      if (row_.arguments[i].of != Argument::Of::ratio) numbers.push_back(&list_.items[i]);
+    return have_units_together(numbers, subject_, scope_, report_);
   }
 
   bool take(std::size_t i) {
@@ -211,6 +219,7 @@ class RangeReading {
 
   SweptValues values() {
     if (!has_form()) return {};
+    if (!have_units_together({map_.find("from"), map_.find("to")}, subject_, scope_, report_)) return {};
     const auto from = number("from");
     const auto to = from ? number("to") : std::nullopt;
     const auto count = to ? number("count") : std::nullopt;
@@ -282,6 +291,27 @@ std::optional<WrittenNumber> written_number(const yaml::Node& node) {
   const char* rest = std::from_chars(node.text.data() + sign, end, number).ptr;
   while (rest != end && *rest == ' ') ++rest;
   return WrittenNumber{number, std::string(rest, end)};
+}
+
+bool have_units_together(const std::vector<const yaml::Node*>& numbers, const std::string& subject,
+                         const Scope& scope, Report& report) {
+  const auto has_unit = [](const yaml::Node* node) {
+    const auto written = written_number(*node);
+    return written && !written->unit.empty() && written->unit != "%" && written->unit != "1";
+  };
+  const auto with_unit = std::ranges::find_if(numbers, has_unit);
+  if (with_unit == numbers.end()) return true;
+  bool together = true;
+  for (const yaml::Node* node : numbers) {
+    const auto written = written_number(*node);
+    if (!written || !written->unit.empty() || written->number == 0.0 || !std::isfinite(written->number))
+      continue;
+    together = false;
+    report.add(scope.at(node->mark), subject,
+               yaml::fault_text("{} has no unit beside {}; write {} {}", node->text, (*with_unit)->text,
+                                node->text, written_number(**with_unit)->unit));
+  }
+  return together;
 }
 
 SweptValues SpreadParameter::values(const std::vector<double>& shares) const {

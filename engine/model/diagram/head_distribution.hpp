@@ -30,6 +30,11 @@ struct SpreadParameter {
   SweptValues values(const std::vector<double>& shares) const;
 };
 
+/// Adds a fault for each number without unit, except 0, beside numbers with units, and returns false after
+/// one. Formulas and words have no unit of their own.
+bool have_units_together(const std::vector<const yaml::Node*>& numbers, const std::string& subject,
+                         const Scope& scope, Report& report);
+
 /// Reads a distribution such as {uniform: [100 N/m, 300 N/m]}; adds a fault and returns std::nullopt for an
 /// invalid one.
 std::optional<SpreadParameter> read_distribution(const yaml::Node& map, const std::string& name,

@@ -91,11 +91,14 @@ class CasesReading {
     Sweep::Axis axis{first.key, {}, scope_.at(first.mark), false, Sweep::Group::cases};
     std::vector<std::string> texts;
     std::vector<yaml::Mark> marks;
+    std::vector<const yaml::Node*> values;
     for (const yaml::Entry& one : cases_.entries) {
       const yaml::Node* value = one.value.find(first.key);
+      if (value) values.push_back(value);
       texts.push_back(value ? setting_text(*value) : base_value(axis, "sweep.cases." + first.key, report_));
       marks.push_back(value ? value->mark : one.mark);
     }
+    have_units_together(values, "sweep.cases." + first.key, scope_, report_);
     axis.values = SweptValues(std::move(texts), std::move(marks));
     sweep_.axes.push_back(std::move(axis));
   }
@@ -325,6 +328,9 @@ void read_axis(const yaml::Entry& entry, Sweep& sweep, const Scope& scope, Repor
   Sweep::Axis axis{entry.key, {}, scope.at(entry.mark)};
   if (list && list->is_list()) {
     axis.values = listed(*list);
+    std::vector<const yaml::Node*> items;
+    for (const yaml::Node& item : list->items) items.push_back(&item);
+    have_units_together(items, "sweep." + entry.key, scope, report);
     if (axis.values.empty()) report.add(scope.at(list->mark), "sweep." + entry.key, "has no values");
   } else {
     axis.values = read_range(entry.value, entry.key, scope, report);

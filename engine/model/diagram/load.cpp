@@ -29,6 +29,12 @@ void demand_named_units(const Scope& scope, const Resolver& resolver, Report& re
     const auto unit = unit::parse_unit(entry.value.text);
     if (!unit || !entry.value.is_scalar()) {
       report.add(scope.at(entry.value.mark), subject, fmt::format("'{}' is no unit", entry.value.text));
+    } else if (unit->scale != 1.0L || unit->offset != 0.0L) {
+      report.add(
+          scope.at(entry.value.mark), subject,
+          yaml::fault_text("numbers are in SI and stay as they are, so that {} would be wrong; write {}, "
+                           "and convert numbers in {} by a Gain",
+                           entry.value.text, unit::si_name(unit->dimension), entry.value.text));
     } else if (auto source = resolver.source(entry.key, scope, scope.at(entry.mark), subject)) {
       report.diagram().unit_demands.push_back(
           {std::move(*source), unit->dimension, subject, scope.at(entry.value.mark)});

@@ -73,6 +73,19 @@ bool names_signals(std::string text, const ParameterScope& parameters) {
   }
 }
 
+/// Returns the refusal of a list of numbers in different units, with the same numbers in SI as the cure.
+yaml::Message other_unit(const std::vector<WrittenValue>& elements) {
+  std::string numbers;
+  for (const WrittenValue& element : elements)
+    if (const double* number = std::get_if<double>(&element.value.content))
+      numbers += fmt::format("{}{:.12g}", numbers.empty() ? "" : ", ", *number);
+  return fmt::format(
+      "has another unit than the elements before it, and a list has one unit; where the elements of the "
+      "signal "
+      "have several, write the numbers without units, in SI: [{}]",
+      numbers);
+}
+
 // Formulas of parameters: of single numbers, and of matrices.
 
 std::string no_numbers(const std::string& name) {
@@ -226,7 +239,7 @@ std::optional<WrittenValue> ValueReader::read_list(const yaml::Node& node, const
     numbers = numbers && number;
     if (number) std::get<Eigen::VectorXd>(result.value.content)[static_cast<Eigen::Index>(i)] = *number;
     if (elements[i].dimension && result.dimension && *elements[i].dimension != *result.dimension)
-      return refuse(node.items[i], subject, "has another unit than the elements before it");
+      return refuse(node.items[i], subject, other_unit(elements));
     if (elements[i].dimension) result.dimension = elements[i].dimension;
     texts.push_back({node.items[i].text, node.items[i].mark.line, node.items[i].mark.column});
   }

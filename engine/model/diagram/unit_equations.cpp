@@ -21,6 +21,7 @@ void UnitEquations::find_users() {
 
 void UnitEquations::solve(std::size_t variables, const Complain& complain) {
   values_.resize(variables);
+  set_by_.resize(variables, -1);
   in_question_.resize(variables);
   kinds_.resize(variables, Elements::own);
   defined_first_.resize(variables);
@@ -92,7 +93,7 @@ void UnitEquations::check_rates(const Complain& complain) {
     const auto product = dimension_of(equation);
     const auto sum = product ? product->one() : std::nullopt;
     if (sum && *sum == unit::Dimension{} && unit::mixes_rates(*sum) && !follows_from_another(equation))
-      complain(equation, *sum);
+      complain(equation, *sum, std::nullopt);
   }
 }
 
@@ -116,7 +117,7 @@ int UnitEquations::step(UnitEquation& equation, const Complain& complain) {
   }
   if (!unknown) {
     const auto wrong = known.other_than_one();
-    if (wrong && !follows_from_another(equation)) complain(equation, *wrong);
+    if (wrong && !follows_from_another(equation)) report(equation, *wrong, complain);
     return -1;
   }
   if (!is_due(equation, *unknown) || (!unknown->elements.is_whole() && !known.is_one())) return -1;
@@ -136,6 +137,7 @@ int UnitEquations::solve(UnitEquation& equation, const UnitTerm& unknown, Elemen
   } else if (!known.is_one() && kind == Elements::alike) {
     known = ElementUnits::unknown();
   }
+  set_by_[static_cast<std::size_t>(solved)] = static_cast<int>(&equation - equations_.data());
   set(solved, ElementUnits().times(known, -1.0 / exponent));
   return solved;
 }
@@ -218,6 +220,36 @@ bool UnitEquations::is_due(const UnitEquation& equation, const UnitTerm& unknown
       defined_first_[static_cast<std::size_t>(unknown.variable)] && equation.defines != unknown.variable;
   if (!unknown.elements.is_whole()) return stage_ == Stage::elements;
   return !is_defined || stage_ != Stage::whole;
+}
+
+/// Returns the number that has given one unit to a join whose pieces are in several; nullptr without one.
+const UnitEquation* UnitEquations::number_for(const UnitEquation& piece) const {
+  const auto join = std::ranges::find(joins_, piece.joins, &UnitJoin::variable);
+  const auto own = piece.joins < 0 || join == joins_.end() ? std::nullopt : joined(*join, false);
+  if (!own || own->is_one()) return nullptr;
+  int variable = piece.joins;
+  for (std::size_t step = 0; step < values_.size(); ++step) {
+    const int by = set_by_[static_cast<std::size_t>(variable)];
+    if (by < 0) return nullptr;
+    const UnitEquation& equation = equations_[static_cast<std::size_t>(by)];
+    if (equation.terms.size() == 1) return &equation;
+    const auto other =
+        std::ranges::find_if(equation.terms, [&](const UnitTerm& term) { return term.variable != variable; });
+    variable = other->variable;
+  }
+  return nullptr;
+}
+
+/// Reports an equation, or in place of a piece of a join the number that does not fit it.
+void UnitEquations::report(const UnitEquation& equation, const unit::Dimension& wrong,
+                           const Complain& complain) const {
+  const UnitEquation* const number = number_for(equation);
+  const auto whole = equation.joins < 0 ? std::nullopt : values_[static_cast<std::size_t>(equation.joins)];
+  const auto unit = number ? values_[static_cast<std::size_t>(number->terms.front().variable)] : std::nullopt;
+  if (!unit || !unit->one() || !whole || whole->one() != unit->one())
+    return complain(equation, wrong, std::nullopt);
+  const unit::Dimension element = *unit->one() / wrong;
+  complain(*number, element / *unit->one(), element);
 }
 
 /// True where a variable of this equation already occurred in a reported one, and marks its variables. It

@@ -66,8 +66,10 @@ enum class Elements {
 class UnitEquations {
  public:
   /// Callback for an equation that does not hold; `wrong` is the unit of its product. For equal dimensions an
-  /// angle per time meets a frequency.
-  using Complain = std::function<void(const UnitEquation& equation, const unit::Dimension& wrong)>;
+  /// angle per time meets a frequency. `element` is the unit of an element of the port where one number is
+  /// given for elements in several units; else std::nullopt.
+  using Complain = std::function<void(const UnitEquation& equation, const unit::Dimension& wrong,
+                                      const std::optional<unit::Dimension>& element)>;
 
   void add(UnitEquation equation, std::string what);
   void add(UnitJoin join) { joins_.push_back(std::move(join)); }
@@ -96,6 +98,8 @@ class UnitEquations {
   bool is_due(const UnitEquation& equation, const UnitTerm& unknown) const;
   std::optional<ElementUnits> joined(const UnitJoin& join, bool all_known) const;
   bool follows_from_another(const UnitEquation& equation);
+  const UnitEquation* number_for(const UnitEquation& piece) const;
+  void report(const UnitEquation& equation, const unit::Dimension& wrong, const Complain& complain) const;
   void find_angles();
   int turn_to_angle(const UnitEquation& equation);
   void check_rates(const Complain& complain);
@@ -103,6 +107,7 @@ class UnitEquations {
   std::vector<UnitEquation> equations_;
   std::vector<UnitJoin> joins_;
   std::vector<std::optional<ElementUnits>> values_;  ///< of the variables
+  std::vector<int> set_by_;                          ///< equation that determined a variable; -1: none
   std::vector<std::vector<int>> users_;              ///< equations of each variable
   std::deque<int> queue_;
   std::vector<bool> in_question_;

@@ -33,6 +33,15 @@ void UnitFaults::add(const UnitEquation& equation, const unit::Dimension& wrong,
   report_.add(equation.origin, subject, message);
 }
 
+void UnitFaults::add_number(const UnitEquation& equation, const unit::Dimension& wrong,
+                            const unit::Dimension& element) {
+  const std::string subject = subject_of(equation);
+  report_.add(equation.origin, subject,
+              fmt::format("{} is in {}, but {} has an element in {}; write a list of numbers in SI, without "
+                          "units, with one for each element",
+                          equation.what, unit::si_name(element / wrong), subject, unit::si_name(element)));
+}
+
 std::optional<unit::Dimension> UnitFaults::demanded(const UnitEquation& equation) const {
   for (const UnitDemand& demand : report_.about().unit_demands)
     if (demand.port.c_str() == equation.port) return demand.dimension;

@@ -16,6 +16,9 @@ class UnitFaults {
   /// `wrong` is the unit of the product, `taken` the unit of the port if known.
   void add(const UnitEquation& equation, const unit::Dimension& wrong,
            const std::optional<unit::Dimension>& taken);
+  /// Reports one number for a signal whose elements are in several units; `element` is the unit of one of
+  /// them, and `wrong` its ratio to that of the number.
+  void add_number(const UnitEquation& equation, const unit::Dimension& wrong, const unit::Dimension& element);
   /// Returns the unit that a port of a part or the section `units` demands.
   std::optional<unit::Dimension> demanded(const UnitEquation& equation) const;
   std::string name_of(const Source& source) const;

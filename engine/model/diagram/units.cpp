@@ -1,6 +1,7 @@
 #include "engine/model/diagram/units.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -19,16 +20,19 @@ namespace {
 class Inference : UnitTerms {
  public:
   Inference(Report& report, const OutputShapes& shapes)
-      : UnitTerms(report.about(), shapes), diagram_(report.diagram()), faults_(report) {}
+      : UnitTerms(report.about(), shapes), report_(report), diagram_(report.diagram()), faults_(report) {}
 
   void run() {
     add_variables(equations_);
     for (std::size_t i = 0; i < diagram_.blocks.size(); ++i) add_equations(static_cast<int>(i));
     for (const UnitDemand& demand : diagram_.unit_demands) add_demand(demand);
     open().join(equations_);
-    equations_.solve(variable_count(), [this](const UnitEquation& equation, const unit::Dimension& wrong) {
+    equations_.solve(variable_count(), [this](const UnitEquation& equation, const unit::Dimension& wrong,
+                                              const std::optional<unit::Dimension>& element) {
+      if (element) return faults_.add_number(equation, wrong, *element);
       faults_.add(equation, wrong, dimension_at(equation));
     });
+    check_norms();
     store();
   }
 
@@ -227,6 +231,34 @@ class Inference : UnitTerms {
     }
   }
 
+  /// Refuses the length of a vector whose elements are in different units.
+  void check_norms() {
+    for (const DiagramBlock& block : diagram_.blocks) {
+      if (block.type().name != "Norm" || block.inputs[0].empty()) continue;
+      const Source& source = block.inputs[0].front();
+      if (source.block < 0 || !source.element.is_whole()) continue;
+      const auto units = units_of_output(source.block, source.output);
+      if (!units || units->is_one()) continue;
+      const std::string names = unit_names(*units);
+      if (names.find(" and ") != std::string::npos)
+        report_.add(
+            source.origin, block.name + "." + block.type().inputs[0].name,
+            fmt::format("{} has elements in {}, which have no length together; give them one unit, as "
+                        "by a Gain for each",
+                        faults_.name_of(source), names));
+    }
+  }
+
+  /// Returns the different known units of elements: "m and rad".
+  static std::string unit_names(const ElementUnits& units) {
+    std::vector<std::string> names;
+    for (const auto& unit : units.each())
+      if (unit && std::ranges::find(names, unit::si_name(*unit)) == names.end())
+        names.push_back(unit::si_name(*unit));
+    return fmt::format("{}", fmt::join(names, " and "));
+  }
+
+  Report& report_;
   Diagram& diagram_;
   UnitEquations equations_;
   UnitFaults faults_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/analyse/query/number.hpp"
 #include "engine/base/unit/meaning.hpp"
 #include "engine/base/yaml/message.hpp"
 
@@ -43,7 +44,7 @@ bool has_unit(const query::Series& series) {
   return !series.unit_text.empty() && series.unit_text != "1";
 }
 
-/// True for a plain number, which has the SI unit of its counterpart.
+/// True for a number without unit, e.g. of a parameter. It has the SI unit of its counterpart.
 bool is_bare(const query::Series& series) {
   return series.unit_text.empty() && series.formula.columns.empty();
 }
@@ -91,9 +92,11 @@ class AxisChecks {
     for (query::Series& series : found->second) {
       if (&series == &*with_unit) continue;
       const bool alike = series.unit_text == with_unit->unit_text;
-      if (is_bare(series))
+      if (is_bare(series)) {
+        if (auto wrong = bare_number(series.formula.text, *with_unit))
+          fault(series.formula.mark, axis, std::move(*wrong));
         series.unit = with_unit->unit;
-      else if (series.unit_text.empty())
+      } else if (series.unit_text.empty())
         fault(series.formula.mark, axis, no_unit(series, *with_unit));
       else if (!alike)
         fault(series.formula.mark, axis, two_units(series, *with_unit));
@@ -151,8 +154,13 @@ class AxisChecks {
 
 }  // namespace
 
+std::optional<yaml::Message> bare_number(const std::string& text, const query::Series& axis) {
+  return query::bare_number(text, axis.unit_text, fmt::format("'{}'", axis.formula.text));
+}
+
 std::optional<yaml::Message> fault_along(const query::Series& series, const query::Series& axis) {
-  if (is_bare(series) || is_bare(axis)) return std::nullopt;
+  if (is_bare(series)) return bare_number(series.formula.text, axis);
+  if (is_bare(axis)) return std::nullopt;
   const auto ours = drawn_dimension(series), theirs = drawn_dimension(axis);
   if (ours && theirs && *ours != *theirs) return two_units(series, axis);
   if (has_unit(axis) && !ours) return no_unit(series, axis);

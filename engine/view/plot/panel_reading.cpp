@@ -248,6 +248,8 @@ std::optional<double> read_axis_number(const yaml::Node& node, const Panel& pane
                 fmt::format("{} has a unit, but that of '{}' is not known; {}", read->text,
                             series->formula.text, query::unit_cure(series->formula, *read->dimension)),
                 {}});
+  if (auto wrong = bare_number(read->text, *series))
+    faults.add({{names.file, node.mark}, subject, std::move(*wrong), {}});
   return series->unit.from_si(read->value);
 }
 

@@ -57,6 +57,31 @@ def test_a_signal_that_is_recorded_in_part_is_no_array(load):
         run["gone"]
 
 
+def test_a_run_of_a_sweep_has_vectors_and_matrices_as_all_runs_do(load):
+    sweep = load().sweep({"twice.gain": [1, 3]})
+    second = sweep.run(1)
+    assert second["grown"].shape == (3, 2, 3) and second["force"].shape == (3, 3)
+    assert np.array_equal(second["grown"], sweep["grown"][3:]) and np.array_equal(second["grown.2.1"], second["grown"][:, 1, 0])
+    assert "grown" in second and "grown.3" not in second and "grown" not in list(second)
+    with pytest.raises(KeyError, match="nothing of the name 'gone' is recorded; recorded are: "):
+        second["gone"]
+
+
+def test_a_simulation_and_an_observer_show_single_elements(load):
+    simulation = load().simulation()
+    simulation.step(2)
+    assert np.allclose([simulation["grown.2.1"], simulation["grown.1.3"]], [0.4, 0.3])
+    simulation.inputs["wrench"] = [1, 2, 3]
+    simulation.step()
+    assert simulation["force.2"] == 4.0
+    for wrong in ("force.4", "force.0", "force.1.1", "grown.3.1", "grown.1", "net.1"):
+        with pytest.raises(stepwire.Error, match="there is no signal of this name"):
+            simulation[wrong]
+    seen = []
+    load().run(observers=[lambda run: seen.append(run["grown.2.3"])])
+    assert np.allclose(seen, [0, 0.6, 1.2])
+
+
 def test_a_simulation_shows_and_takes_matrices(load):
     simulation = load().simulation()
     given = np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]])

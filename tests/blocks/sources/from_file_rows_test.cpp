@@ -70,7 +70,36 @@ TEST_CASE("a value is held from before the part in use, and the first one cannot
   CHECK(refused(late, "column: x, missing: hold")
             .starts_with("press.csv:2: x has no value, and no row before it has one to hold"));
   require_near(played(late, "column: x, missing: hold, from: 0.2 s", "0.1 s"), {2, 4});
-  require_near(played(late, "column: x, missing: skip", "0.2 s"), {2, 3, 4});
+  require_near(played(late, "column: x, missing: skip, from: 0.1 s", "0.2 s"), {2, 3, 4});
+}
+
+TEST_CASE("a record whose first rows are left out does not move against other columns of its file") {
+  const std::string text = "t,x,y\n0,,0\n0.1,1,1\n0.2,2,2\n0.3,3,3\n";
+  CHECK(refused(text, "column: x, missing: skip")
+            .starts_with(
+                "press.csv:2: x has no value at 0 s, so that this record would begin at 0.1 s and other "
+                "columns of the file earlier; say `from: 0.1 s`"));
+  require_near(played(text, "column: y, missing: skip", "0.2 s"), {0, 1, 2});
+  require_near(played(text, "column: x, missing: skip, from: 0.1 s", "0.2 s"), {1, 2, 3});
+  require_near(played(text, "column: x, missing: skip, start: 0.1 s", "0.2 s"), {1, 2, 3});
+  // since 1970 in ms: both columns count from the first row of the file
+  const std::string since =
+      "t [ms],x,y\n1764150000000,,0\n1764150000100,1,1\n1764150000200,2,2\n"
+      "1764150000300,3,3\n";
+  require_near(played(since, "column: x, missing: skip, start: 0.1 s", "0.2 s"), {1, 2, 3});
+  require_near(played(since, "column: y, missing: skip, start: 0.1 s", "0.2 s"), {1, 2, 3});
+}
+
+TEST_CASE("a record that repeats leaves out no row, which would change its period") {
+  const std::string text = "t,x\n0,0\n0.1,1\n0.2,\n0.3,3\n";
+  CHECK_THAT(refused(text, "column: x, missing: skip, after_end: repeat"),
+             Catch::Contains("press.csv:4: x has no value and its row is left out"));
+  require_near(played(text, "column: x, missing: hold, after_end: repeat", "0.5 s"), {0, 1, 1, 3, 0, 1});
+}
+
+TEST_CASE("blank lines between rows of several columns are skipped") {
+  require_near(played("t,x\n\n0,1\n  \n0.1,2\r\n\r\n0.2,3\n\n", "column: x", "0.2 s"), {1, 2, 3});
+  require_near(played("x\n1\n\n3\n", "column: x, sample_time: 0.1 s, missing: hold", "0.2 s"), {1, 1, 3});
 }
 
 TEST_CASE("a missing time is left out and never held") {
@@ -143,7 +172,7 @@ TEST_CASE("how a file was read is told: marks, units, times, missing values, ord
   CHECK(done("t;x\ns;mm\n0;0\n0,1;2\n0,1;3\n1;4\n", "column: x") ==
         std::vector<std::string>{"separator ';'", "decimal comma", "units in line 2",
                                  "1 jump by two rows of one time"});
-  CHECK(done("t,x\n0.5,1\n0,\n0.2,2\n", "column: x, sort: true, missing: skip") ==
+  CHECK(done("t,x\n0.5,1\n0.3,\n0,2\n", "column: x, sort: true, missing: skip") ==
         std::vector<std::string>{"separator ','", "decimal point", "1 row without 'x' left out",
                                  "rows sorted by 't'"});
   CHECK(done("t,x\n0,1\n0.1,\n0.2,\n", "column: x, missing: hold") ==
@@ -163,7 +192,7 @@ TEST_CASE("times since 1970 count from the first row, and rows stay where they a
   const std::string text = "t [ms],x\n1790000000000,0\n1790000000001,1\n1790000000201,201\n";
   require_near(played(text, "column: x", "0.2 s"), {0, 100, 200});
   const std::vector<std::string> notes = done(text, "column: x");
-  CHECK(std::ranges::find(notes, "times count from the first row in use, 1790000000000 ms") != notes.end());
+  CHECK(std::ranges::find(notes, "times count from the first row, 1790000000000 ms") != notes.end());
   CHECK_THAT(refused("t,x\n1790000000.0000,0\n1790000000.0001,1\n1790000000.0003,3\n", "column: x"),
              Catch::Contains("have too few digits for rows that are this close"));
 }

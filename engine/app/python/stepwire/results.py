@@ -6,7 +6,7 @@ import functools
 import itertools
 import json
 import warnings
-from collections.abc import Iterator, KeysView
+from collections.abc import Callable, Container, Iterable, Iterator, KeysView, Mapping
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 from . import _core, show
@@ -19,6 +19,20 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from .model import Model
+
+
+class RunColumns(dict[str, "NDArray[np.float64]"]):
+    """The columns of one run by their names. A vector or a matrix is there as a whole, too, as in `Run`."""
+
+    def __init__(self, shapes: Mapping[str, tuple[int, ...]]):
+        super().__init__()
+        self._shapes = shapes
+
+    def __missing__(self, name: str) -> NDArray[np.float64]:
+        return _whole(name, self._shapes, self, lambda element: self[element])
+
+    def __contains__(self, name: object) -> bool:
+        return super().__contains__(name) or (isinstance(name, str) and _has_whole(name, self._shapes, self.keys()))
 
 
 class Run:
@@ -43,17 +57,7 @@ class Run:
         place = self._places.get(name)
         if place is not None:
             return self._results.column(*place)
-        shape = self._shapes.get(name)
-        if not shape:
-            raise KeyError(f"nothing of the name {name!r} is recorded; recorded are: {', '.join(self._places)}")
-        names = _elements(name, shape)
-        missing = [element for element in names if element not in self._places]
-        if missing:
-            raise KeyError(f"{name!r} is not recorded as a whole, {', '.join(missing)} being left out; "
-                           f"recorded are: {', '.join(self._places)}")
-        import numpy as np
-        values = np.stack([self._results.column(*self._places[element]) for element in names], axis=-1)
-        return values.reshape(len(values), *shape)
+        return _whole(name, self._shapes, self._places, lambda element: self._results.column(*self._places[element]))
 
     @property
     def _shapes(self) -> dict[str, tuple[int, ...]]:
@@ -62,8 +66,7 @@ class Run:
     def __contains__(self, name: object) -> bool:
         if name in self._places or not isinstance(name, str):
             return name in self._places
-        shape = self._shapes.get(name, ())
-        return bool(shape) and all(element in self._places for element in _elements(name, shape))
+        return _has_whole(name, self._shapes, self._places)
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._places)
@@ -100,13 +103,14 @@ class Run:
         """What each run of a sweep sets, as texts; empty without a sweep."""
         return self._results.points
 
-    def run(self, index: int) -> dict[str, NDArray[np.float64]]:
-        """The columns of one run of a sweep, from 0: views without copy."""
+    def run(self, index: int) -> RunColumns:
+        """The columns of one run of a sweep, from 0: views without copy; vectors and matrices by their names as
+        those of all runs."""
         count = max(len(self.points), 1)
         if not -count <= index < count:
             raise IndexError(f"there are {count} runs")
         index %= count
-        columns = {}
+        columns = RunColumns(self._shapes)
         for name, (recording, column) in self._places.items():
             starts = self._results.starts(recording) + [None]
             columns[name] = self._results.column(recording, column)[starts[index]:starts[index + 1]]
@@ -204,6 +208,28 @@ def _elements(name: str, shape: tuple[int, ...]) -> list[str]:
     """The columns of a vector or a matrix, row by row."""
     places = itertools.product(*(range(1, count + 1) for count in shape))
     return [".".join([name, *map(str, place)]) for place in places]
+
+
+def _has_whole(name: str, shapes: Mapping[str, tuple[int, ...]], columns: Container[str]) -> bool:
+    shape = shapes.get(name, ())
+    return bool(shape) and all(element in columns for element in _elements(name, shape))
+
+
+def _whole(name: str, shapes: Mapping[str, tuple[int, ...]], columns: Iterable[str],
+           column: Callable[[str], NDArray[np.float64]]) -> NDArray[np.float64]:
+    """A vector (rows, n) or a matrix (rows, m, n) made of its columns. Raises KeyError where one is missing."""
+    known = list(columns)
+    shape = shapes.get(name)
+    if not shape:
+        raise KeyError(f"nothing of the name {name!r} is recorded; recorded are: {', '.join(known)}")
+    names = _elements(name, shape)
+    missing = [element for element in names if element not in known]
+    if missing:
+        raise KeyError(f"{name!r} is not recorded as a whole, {', '.join(missing)} being left out; "
+                       f"recorded are: {', '.join(known)}")
+    import numpy as np
+    values = np.stack([column(element) for element in names], axis=-1)
+    return values.reshape(len(values), *shape)
 
 
 def _escaped(fault: Fault) -> str:

@@ -18,6 +18,17 @@ TEST_CASE("a direction of two is their product or their ratio") {
         "only the ratio of A and alpha can be known; fix one of them");
 }
 
+TEST_CASE(
+    "two equally large unknowns whose product and sum have the same derivatives are told from no product") {
+  // f = (a + b)*x and f = a*b*x have derivatives in one ratio where a = b.
+  CHECK(in_words(Eigen::Vector3d(1.0, -1.0, 0.0), names, false, Eigen::Vector3d(2.0, 2.0, 9.0)) ==
+        "only the product or sum of A and alpha can be known, which are equally large; fix one of them");
+  CHECK(in_words(Eigen::Vector3d(1.0, -1.0, 0.0), names, false, Eigen::Vector3d(2.0, 3.0, 9.0)) ==
+        "only the product of A and alpha can be known; fix one of them");
+  CHECK(in_words(Eigen::Vector3d(1.0, 1.0, 0.0), names, false, Eigen::Vector3d(2.0, 2.0, 9.0)) ==
+        "only the ratio or difference of A and alpha can be known, which are equally large; fix one of them");
+}
+
 TEST_CASE("a direction of one against several is their products, any other is shown with its parts") {
   CHECK(in_words(Eigen::Vector3d(1.0, -1.0, -1.0), names) ==
         "only the products of A with alpha and c can be known; fix one of them");

@@ -41,6 +41,25 @@ TEST_CASE("without noise the truth is found again") {
   CHECK(result.records.at(0).comparisons.at(0).agreement > 99.999);
 }
 
+TEST_CASE("a wide bound that a long first step reaches does not hold a time constant") {
+  // At 10 ms, half of the step, Runge-Kutta's cost has a minimum at the bound itself. The truth is 0.37 s.
+  const auto fit = [](const std::string& start) {
+    return fit_text(
+        "step: 20 ms\nstop: 4 s\nsolver: rk4\nparameters: {k: 1, tau: 1 s}\nrecord: [model, truth]\nblocks:\n"
+        "  u: {block: Step, time: 0.6 s, after: $k}\n  v: {block: Step, time: 0.6 s, after: 2.4}\n"
+        "  model: {block: Lag, u: u, tau: $tau}\n  truth: {block: Lag, u: v, tau: 0.37 s}\n"
+        "fit:\n  parameters: {k: {start: 1, bounds: [0.1, 10]}, tau: {start: " +
+        start + ", bounds: [10 ms, 10 s]}}\n  compare: [{model: model, measured: truth}]\n");
+  };
+  for (const char* start : {"10 ms", "12 ms", "50 ms", "0.2 s", "0.5 s", "1 s", "3 s", "9 s", "10 s"}) {
+    INFO(start);
+    const FitResult result = fit(start);
+    CHECK(result.converged);
+    CHECK(found(result, "tau").value == Approx(0.37).epsilon(1e-6));
+    CHECK(found(result, "k").value == Approx(2.4).epsilon(1e-6));
+  }
+}
+
 TEST_CASE(
     "what no parameter moves is run once and played back where it is read at ticks alone, to the same "
     "result") {

@@ -58,6 +58,24 @@ TEST_CASE("scores with a decimal comma are read, and ones that may be read in tw
   CHECK_THROWS_WITH(read("d;y\na;1.5\nb;NA\n"), Contains("d.csv:3: the score is missing"));
 }
 
+TEST_CASE("a table of scores is read as other programs write it, like a record") {
+  const Scratch folder;
+  const auto read = [&](const std::string& text) {
+    folder.file("d.csv", text);
+    return analyse_scores(folder.path("d.csv"), {}).observations;
+  };
+  const std::vector<double> scores{1.5, 2.5, 3.0, 4.5};
+  CHECK(read("# of Monday\nd,y\na,1.5\na,2.5\n# more\nb,3\nb,4.5\n").values == scores);
+  CHECK(read("sep=;\nd;y\na;1.5\na;2.5\n\nb;3\nb;4.5\n").values == scores);
+  CHECK(read("d,y\na,1.5D0\na,25.0D-1\nb,3\nb,4.5\n").values == scores);
+  std::string wide = "\xFF\xFE";
+  for (const char c : std::string("d;y\na;1,5\na;2,5\nb;3\nb;4,5\n")) wide += {c, '\0'};
+  const Observations found = read(wide);
+  CHECK(found.values == scores);
+  CHECK(found.factor("d").levels == std::vector<std::string>{"a", "b"});
+  CHECK_THROWS_WITH(read("# x\n\nd,y\na,1\n\n# y\nb,two\n"), Contains("d.csv:7: 'two'"));
+}
+
 TEST_CASE("cells of scores with a large offset have the moments of the differences") {
   // The scores 0, 0.5 and 1 beyond 1e12 are exact there, each 667 times: mean 0.5, squares 2 * 667 * 0.25.
   const Scratch folder;

@@ -56,7 +56,7 @@ tune:
   };
   CHECK(error("other.tau").empty());
   CHECK(error("tau").empty());
-  CHECK_THAT(error("lag.tau"), Contains("tune.minimise: 'lag.tau' is no number of a run"));
+  CHECK_THAT(error("lag.tau"), Contains("tune.minimise: 'lag.tau' follows from 'tau', which is tuned"));
 }
 
 TEST_CASE("A fault of an objective stands where it is wrong") {

@@ -105,6 +105,31 @@ TEST_CASE("a run that ends early leaves the others of its sweep whole") {
   CHECK(column(result.recordings.at(0).table, "a") == std::vector<double>{1, 5, 5});
 }
 
+TEST_CASE("a number without unit beside numbers with units is refused") {
+  const DiagramFolder folder;
+  const auto refused = [&](const std::string& sweep) {
+    folder.write(
+        "sweep.yaml",
+        head + "parameters: {wall: 1 mm}\nblocks: {y: {block: Gain, u: $wall}}\nsweep: {" + sweep + "}\n");
+    diagram::Loader loader(library());
+    try {
+      make_job(loader, folder.path("sweep.yaml"));
+    } catch (const yaml::Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string cure = "2 has no unit beside 5 mm; write 2 mm";
+  CHECK_THAT(refused("wall: [5 mm, 2]"), Catch::Contains("sweep.wall: " + cure));
+  CHECK_THAT(refused("wall: {from: 5 mm, to: 2, count: 3}"), Catch::Contains(cure));
+  CHECK_THAT(refused("wall: {normal: [5 mm, 2]}, design: {samples: 3}"), Catch::Contains(cure));
+  CHECK_THAT(refused("wall: {uniform: [2, 5 mm]}, design: {samples: 3}"), Catch::Contains(cure));
+  CHECK_THAT(refused("cases: {a: {wall: 5 mm}, b: {wall: 2}}"), Catch::Contains(cure));
+  CHECK(refused("wall: [5 mm, 0, 1 cm]").empty());
+  CHECK(refused("wall: {lognormal: [5 mm, 0.2]}, design: {samples: 3}").empty());
+  CHECK(refused("wall: [0.005, 0.002]").empty());
+}
+
 TEST_CASE("what is swept must be something that can be set") {
   const DiagramFolder folder;
   folder.write(
@@ -131,10 +156,10 @@ TEST_CASE("what is wrong with one value of a sweep is told at that value") {
     }
     return std::string("none");
   };
-  CHECK(refused("{a: [1, -1 N]}") ==
-        "sweep.yaml:6:16: a: -1 N is not allowed; it must be above 0 N (in the run with a=-1 N)");
-  CHECK(refused("{a: {values: [1, 2 s]}}") ==
-        "sweep.yaml:6:25: a: 2 s is in s; it must be in N (in the run with a=2 s)");
+  CHECK(refused("{a: [1 N, -1 N]}") ==
+        "sweep.yaml:6:18: a: -1 N is not allowed; it must be above 0 N (in the run with a=-1 N)");
+  CHECK(refused("{a: {values: [1 N, 2 s]}}") ==
+        "sweep.yaml:6:27: a: 2 s is in s; it must be in N (in the run with a=2 s)");
   CHECK(refused("{a: {from: 1 s, to: 2 s, count: 2}}") ==
         "sweep.yaml:6:12: a: 1 s is in s; it must be in N (in the run with a=1 s)");
   CHECK(refused("{a: {from: 1 N, to: 2 s, count: 2}}") ==

@@ -42,20 +42,44 @@ TEST_CASE("on an axis with a unit a formula without one is refused") {
   CHECK(faults_of("{plot: lines, x: time, y: 3 + 10*current}").empty());
   CHECK(faults_of("{plot: lines, x: time, y: 3 + 10*current, y_range: [0 N, 5 N]}") != "");
   CHECK(faults_of("{plot: lines, x: time, y: rig.x in mm, reference: 3 + 10*current}") != "");
-  CHECK(panel_of("{plot: lines, x: time, y: [rig.x in mm, 0.02]}").series.at("y")[1].unit.from_si(0.02) ==
-        20.0);
+  CHECK(panel_of("{plot: lines, x: time, y: [rig.x in mm, 0.02 m in mm]}")
+            .series.at("y")[1]
+            .unit.from_si(0.02) == 20.0);
+}
+
+TEST_CASE("a number without unit on an axis whose unit is not SI is refused, as in claims") {
+  const std::string plot = "{plot: lines, x: time in ms, y: rig.x in mm";
+  const std::string wrong = "5 has no unit, but 'rig.x' is in mm; write 5 mm";
+  CHECK(
+      faults_of(plot + ", y_range: [-5, 5 mm]}").find("-5 has no unit, but 'rig.x' is in mm; write -5 mm") !=
+      std::string::npos);
+  for (const char* keys : {", reference: 5}", ", low: 5, high: rig.x}"})
+    CHECK(faults_of(plot + keys).find(wrong) != std::string::npos);
+  CHECK(faults_of("{plot: lines, x: time, y: [rig.x in mm, 5]}").find(wrong) != std::string::npos);
+  CHECK(faults_of("{plot: histogram, x: rig.x in mm, lines: [5, 2 mm]}").find(wrong) != std::string::npos);
+  CHECK(faults_of("{plot: xy, x: rig.x in mm, y: rig.v, marks: {A: [5, 1]}}").find(wrong) !=
+        std::string::npos);
+  CHECK(faults_of("{plot: map, x: rig.x in mm, y: rig.v, color: time, gap: 5}").find(wrong) !=
+        std::string::npos);
+  CHECK(faults_of(plot + ", x_range: [0, 20]}").find("20 has no unit, but 'time' is in ms; write 20 ms") !=
+        std::string::npos);
+  CHECK(faults_of("{plot: lines, x: time, y: rig.x*(1 K/1 m) in degC, y_range: [0, 30]}")
+            .find("write 30 degC") != std::string::npos);
+  CHECK(faults_of(plot + ", y_range: [0, 5 mm], x_range: [0, 1 s], reference: 0}").empty());
+  CHECK(faults_of("{plot: lines, x: time, y: rig.x, y_range: [-0.5, 0.5], reference: 0.3}").empty());
+  CHECK(faults_of("{plot: lines, x: time, y: rig.x in mm, reference: $reach}").empty());
 }
 
 TEST_CASE("ranges and options become the unit of their axis") {
   const Panel panel =
-      panel_of("{plot: map, x: rig.x in mm, y: rig.x, color: push.force, x_range: [-5 mm, 0.01]}");
+      panel_of("{plot: map, x: rig.x in mm, y: rig.x, color: push.force, x_range: [-5 mm, 0.01 m]}");
   CHECK(panel.x.range == std::array{-5.0, 10.0});
   const auto unknown_cells = [](const std::string& gap) {
     const PlotSpec plot =
         spec_of("{plot: map, x: rig.x in mm, y: rig.v in mm/s, color: time, cells: 40, gap: " + gap + "}");
     return std::ranges::count_if(mark<ImageMark>(plot, 0).values, [](double one) { return std::isnan(one); });
   };
-  CHECK(unknown_cells("2 mm") == unknown_cells("0.002"));
+  CHECK(unknown_cells("2 mm") == unknown_cells("0.002 m"));
   CHECK(unknown_cells("2 mm") < unknown_cells("0.01 mm"));
   // The force is 3 N + 10 N/A of the current, so 4.5 N are at 0.15 A.
   const PlotSpec map = spec_of("{plot: map, x: time, y: current, color: push.force in kN, contour: 4.5 N}",

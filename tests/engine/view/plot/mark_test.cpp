@@ -24,7 +24,7 @@ using Align = TextMark::Align;
 }  // namespace
 
 TEST_CASE("marks are points by their names in the units of the axes, and a list of them is numbered") {
-  const auto named = panel_of("{" + plane + ", marks: {A: [1 mm, 2 mm/s], \"1\": [-0.001, $low]}}").marks;
+  const auto named = panel_of("{" + plane + ", marks: {A: [1 mm, 2 mm/s], \"1\": [-0.001 m, $low]}}").marks;
   REQUIRE(named.size() == 2);
   CHECK(named[0].name == "A");
   CHECK(named[0].x == Approx(1.0));
