@@ -217,10 +217,10 @@ TEST_CASE("diff --results names the worst difference of each signal and the clai
   folder.file("b.yaml", other(lag, "gain: 2", "gain: 3"));
   const auto found = run_program(folder, {"diff", "a.yaml", "b.yaml", "--results"});
   CHECK(found.code == 1);
-  CHECK_THAT(found.output, Contains("~ y.gain: 2 -> 3"));
-  CHECK_THAT(found.output, Contains("~ y: ") && Contains("at 1 s") && !Contains("~ u:"));
-  CHECK_THAT(found.output, Contains("~ claim 'it is small': holds: 2 N -> does not hold: 3 N"));
-  CHECK_THAT(found.output, !Contains("it is positive"));
+  CHECK_THAT(found.out, Contains("~ y.gain: 2 -> 3"));
+  CHECK_THAT(found.out, Contains("~ y: ") && Contains("at 1 s") && !Contains("~ u:"));
+  CHECK_THAT(found.out, Contains("~ claim 'it is small': holds: 2 N -> does not hold: 3 N"));
+  CHECK_THAT(found.out, !Contains("it is positive"));
   const auto json = nlohmann::json::parse(
       run_program(folder, {"diff", "a.yaml", "b.yaml", "--results", "--json"}).output);
   const auto& signals = json.at("results").at("signals").at("signals");
@@ -228,5 +228,5 @@ TEST_CASE("diff --results names the worst difference of each signal and the clai
   CHECK(signals.at(0).at("difference").get<double>() == Approx(1.0 - std::exp(-10.0)).epsilon(1e-4));
   const auto same = run_program(folder, {"diff", "a.yaml", "a.yaml", "--results"});
   CHECK(same.code == 0);
-  CHECK_THAT(same.output, Contains("all recorded signals and all verdicts are the same"));
+  CHECK_THAT(same.out, Contains("all recorded signals and all verdicts are the same"));
 }

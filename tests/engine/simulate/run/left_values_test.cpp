@@ -119,4 +119,21 @@ TEST_CASE("dry friction turns where the speed passes 0") {
   }
 }
 
+TEST_CASE("a switch passes a signal on within the steps of a solver") {
+  // Behind a switch that passes on the first lag, the second one has the bits that it has without a switch.
+  for (const char* events : {"tick", "locate"}) {
+    INFO(events);
+    const std::string yaml = fmt::format(
+        "step: 1 ms\nstop: 5 ms\nsolver: rk4\nevents: {}\nblocks:\n"
+        "  u: {{block: Step, time: 0 s}}\n  a: {{block: Lag, tau: 0.6 ms, u: u}}\n"
+        "  s: {{block: Switch, control: 1, then: a, else: 0}}\n"
+        "  b: {{block: Lag, tau: 5 ms, u: s}}\n  c: {{block: Lag, tau: 5 ms, u: a}}\n"
+        "record: [b, c]\n",
+        events);
+    const double right = 1.0 - (5.0 * std::exp(-1.0) - 0.6 * std::exp(-5.0 / 0.6)) / (5.0 - 0.6);
+    CHECK(last(yaml, "b") == last(yaml, "c"));
+    CHECK(last(yaml, "b") == Approx(right).epsilon(0.03));
+  }
+}
+
 }  // namespace stepwire::run
