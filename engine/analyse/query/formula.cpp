@@ -124,16 +124,21 @@ std::size_t place_of(const std::string& name, std::string_view text) {
   return at;
 }
 
+/// Puts a "$" before each name that is a parameter, not a signal.
+std::string with_marked_parameters(const std::string& text, const SymbolTable& names) {
+  const expression::Expression expression(text);
+  std::vector<std::string> others;
+  for (const std::string& name : expression.variables())
+    others.push_back(!names.find(name) && !names.lacks(name) && parameter_of(name, names) ? "$" + name
+                                                                                          : name);
+  return expression.renamed(others);
+}
+
 /// Replaces each name that is a parameter, not a signal, by its number.
 Substituted with_parameters(const Substituted& text, const SymbolTable& names) {
   std::string marked;
   try {
-    const expression::Expression expression(text.text);
-    std::vector<std::string> others;
-    for (const std::string& name : expression.variables())
-      others.push_back(!names.find(name) && !names.lacks(name) && parameter_of(name, names) ? "$" + name
-                                                                                            : name);
-    marked = expression.renamed(others);
+    marked = with_marked_parameters(text.text, names);
   } catch (const expression::ExpressionError&) {
     return text;  // the parser reports the error
   }

@@ -8,6 +8,7 @@
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/difference/difference_picture.hpp"
 #include "engine/app/difference/difference_text.hpp"
+#include "engine/app/difference/order.hpp"
 #include "engine/app/difference/revision.hpp"
 #include "engine/app/report/comparison_text.hpp"
 #include "engine/app/session/fault_json.hpp"
@@ -175,7 +176,9 @@ ExitCode print_facts(const std::string& file, const Registry& registry) {
     if (!difference::is_diagram(file, io::read_file(file))) throw wrong_call("is no diagram");
     Texts texts;
     FactReader reader(registry, texts);
-    put_data(difference::facts_text(reader.read(file).root));
+    const difference::FileFacts facts = reader.read(file);
+    put_data(difference::facts_text(facts.root) +
+             difference::orders_text(difference::orders_of(facts.source->document.root)));
   } catch (const yaml::Error&) {
     put_data(io::read_file(file));
   }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "engine/app/difference/matching.hpp"
+#include "engine/app/difference/order.hpp"
 #include "engine/app/difference/renames.hpp"
 
 namespace stepwire::difference {
@@ -47,6 +48,7 @@ class Comparer::OfFiles {
       if (part.key != "blocks") section(part.key);
     for (const Fact& part : old_.parts)
       if (part.key != "blocks" && !after_.root.find(part.key)) section(part.key);
+    orders();
     return std::move(changes_);
   }
 
@@ -62,6 +64,18 @@ class Comparer::OfFiles {
     if (from && to && change.from == change.to) name_other_meaning(change, *from, *to);
     if (section == "values" && !is_other_type_) name_default(change, from ? *from : *to);
     changes_.push_back(std::move(change));
+  }
+
+  /// Adds the orders that have a meaning and differ.
+  void orders() {
+    const auto renamed = [&](const std::string& block) {
+      const auto found = names_.find({NameKind::block, block});
+      return found == names_.end() ? block : found->second;
+    };
+    const Orders before = orders_of(before_.source->document.root, renamed),
+                 after = orders_of(after_.source->document.root);
+    for (const ChangedOrder& one : changed_orders(before, after))
+      changes_.push_back({.section = "order", .name = "order of " + one.place, .from = one.before, .to = one.after});
   }
 
   /// Shows canonical texts where two files write a value alike and mean different things.

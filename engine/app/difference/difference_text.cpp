@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "engine/base/text/characters.hpp"
 
@@ -46,12 +47,25 @@ void append(std::string& text, const FileDifference& file) {
   }
 }
 
+/// Returns names of the items of a set, with their numbers where several have one name.
+std::vector<std::string> labels_of(const Fact& set) {
+  std::vector<std::string> names;
+  for (const Fact& part : set.parts) names.push_back(label_of(part));
+  std::vector<std::string> labels = names;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (std::ranges::count(names, names[i]) > 1)
+      labels[i] += fmt::format(" ({})", std::ranges::count(std::span(names).first(i), names[i]) + 1);
+  return labels;
+}
+
 void append_facts(std::vector<std::string>& lines, const Fact& fact, const std::string& path) {
   if (fact.kind == Fact::Kind::value || fact.kind == Fact::Kind::sequence || fact.parts.empty())
     return lines.push_back(path + ": " + fact.written);
-  for (const Fact& part : fact.parts) {
+  const std::vector<std::string> labels = labels_of(fact);
+  for (std::size_t i = 0; i < fact.parts.size(); ++i) {
+    const Fact& part = fact.parts[i];
     const bool is_named = fact.kind == Fact::Kind::set && part.parts.size() > 1;
-    const std::string key = is_named ? "'" + label_of(part) + "'" : unmarked(part.key);
+    const std::string key = is_named ? "'" + labels[i] + "'" : unmarked(part.key);
     append_facts(lines, part, path.empty() ? key : key.empty() ? path : path + "." + key);
   }
 }

@@ -13,6 +13,7 @@
 
 #include "engine/app/difference/fact_edits.hpp"
 #include "engine/app/difference/matching.hpp"
+#include "engine/app/difference/order.hpp"
 #include "engine/app/difference/renames.hpp"
 #include "engine/app/difference/revision.hpp"
 #include "engine/app/difference/text_renames.hpp"
@@ -73,6 +74,21 @@ class FactMerge {
     if (part) merged.parts.push_back(std::move(*part));
   }
 
+  /// True where one side changes a list of wires of a block and the other one another key of it, such as the
+  /// signs of a sum. Merged key by key, values that belong to wires by their places would be those of others.
+  static bool splits_a_list(const Versions& of) {
+    if (!of.base || !of.ours || !of.theirs || names_in(of.ours->key, NameKind::block).empty()) return false;
+    const auto changes = [&](const Fact& side, bool lists) {
+      return std::ranges::any_of(side.parts, [&](const Fact& part) {
+        const Fact* old = of.base->find(unmarked(part.key));
+        const bool is_list = part.is_wire && part.kind == Fact::Kind::sequence;
+        return is_list == lists && (!old || old->canonical != part.canonical);
+      });
+    };
+    return (changes(*of.ours, true) && changes(*of.theirs, false)) ||
+           (changes(*of.ours, false) && changes(*of.theirs, true));
+  }
+
   /// Merges one key of a map. Returns std::nullopt where the merged map has no such key.
   std::optional<Fact> one(const Versions& of, const Fact& owner, const std::string& path) {
     const Fact& named = of.ours ? *of.ours : *of.theirs;
@@ -80,7 +96,7 @@ class FactMerge {
     const std::string base = canonical_of(of.base), ours = canonical_of(of.ours),
                       theirs = canonical_of(of.theirs);
     if (theirs == base || theirs == ours) return of.ours ? std::optional(*of.ours) : std::nullopt;
-    if (ours != base && has_two_types(of)) return conflict(of, name);
+    if (ours != base && (has_two_types(of) || splits_a_list(of))) return conflict(of, name);
     if (of.all_are(Fact::Kind::map) && edits_.is_map(*of.ours)) return map(of, name);
     if (of.all_are(Fact::Kind::set)) return set(of, name);
     const bool is_same_length = of.ours && of.theirs && of.base &&
@@ -199,6 +215,7 @@ class Merge {
     const auto by_lines = merged.conflicts.empty() ? text_by_lines(wanted, base, ours, theirs) : std::nullopt;
     merged.text = by_lines ? *by_lines : edits.text();
     require_meaning(wanted, merged.text);
+    require_orders(merged.text);
     if (merged.conflicts.empty())
       merged.faults = new_faults(merged.text, ours, theirs);
     else
@@ -304,6 +321,18 @@ class Merge {
   void require_meaning(const Fact& wanted, const std::string& text) {
     if (!means(wanted, text))
       throw language::EditRefused("the merged text would not mean what both versions say; merge it by hand");
+  }
+
+  /// Refuses a text without the order of the side that changed it. Facts leave out the order of maps.
+  void require_orders(const std::string& text) {
+    Texts after = ours_.texts.with(path_, text);
+    const auto orders = [](const DiagramText& of) { return orders_of(of.document.root); };
+    const std::vector<std::string> lost =
+        lost_orders(orders(*base_.facts.source), orders(*ours_.facts.source), orders(*theirs_.facts.source),
+                    orders(after.read(path_)));
+    if (!lost.empty())
+      throw language::EditRefused(fmt::format(
+          "the order of {} differs between the versions, and has a meaning; merge it by hand", lost.front()));
   }
 
   std::vector<yaml::Fault> faults_of(const std::string& text) const {

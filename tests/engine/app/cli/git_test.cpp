@@ -210,8 +210,8 @@ TEST_CASE("diff --results names the worst difference of each signal and the clai
   const std::string lag =
       "stepwire: 1\ntitle: A lag\nstep: 10 ms\nstop: 1 s\nsolver: rk4\nblocks:\n"
       "  u: {block: Step, time: 0 s, after: 1 N}\n  y: {block: Lag, u: u, tau: 0.1 s, gain: 2}\n"
-      "record: [u, y]\nclaims:\n  - {that: it is small, final: y, at_most: 2.5 N}\n"
-      "  - {that: it is positive, final: y, at_least: 1 N}\n";
+      "record: [u, y]\nclaims:\n  - {that: it is small, final: y in N, at_most: 2.5 N}\n"
+      "  - {that: it is positive, final: y in N, at_least: 1 N}\n";
   const Scratch folder;
   folder.file("a.yaml", lag);
   folder.file("b.yaml", other(lag, "gain: 2", "gain: 3"));
@@ -222,7 +222,7 @@ TEST_CASE("diff --results names the worst difference of each signal and the clai
   CHECK_THAT(found.out, Contains("~ claim 'it is small': holds: 2 N -> does not hold: 3 N"));
   CHECK_THAT(found.out, !Contains("it is positive"));
   const auto json = nlohmann::json::parse(
-      run_program(folder, {"diff", "a.yaml", "b.yaml", "--results", "--json"}).output);
+      run_program(folder, {"diff", "a.yaml", "b.yaml", "--results", "--json"}).out);
   const auto& signals = json.at("results").at("signals").at("signals");
   CHECK(signals.at(0).at("name") == "y");
   CHECK(signals.at(0).at("difference").get<double>() == Approx(1.0 - std::exp(-10.0)).epsilon(1e-4));

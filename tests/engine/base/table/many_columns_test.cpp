@@ -56,18 +56,16 @@ TEST_CASE("a CSV file of many columns is read, and so is one with many empty lin
   CHECK(read_csv(scratch.file("wide.csv", head + "\n" + row + "\n")).columns.size() == many + 1);
   const RecordTable gaps =
       csv::read_record(scratch.file("gaps.csv", "time,x\n0,1\n" + std::string(many, '\n') + "1,2\n"));
-  REQUIRE(gaps.rows() == many + 2);
+  REQUIRE(gaps.rows() == 2);
   CHECK(gaps.columns[1].values.back() == 2.0);
-  CHECK(std::isnan(gaps.columns[1].values[1]));
 }
 
-TEST_CASE("empty lines of a CSV file of many columns are refused before they fill the memory", "[full]") {
+TEST_CASE("empty lines of a CSV file of many columns fill no memory", "[full]") {
   const Scratch scratch;
   std::string head = "time";
   for (int i = 0; i < 20'000; ++i) head += ",c" + std::to_string(i);
   const std::string path = scratch.file("a.csv", head + std::string(20'000, '\n') + "x\n");
-  CHECK_THROWS_WITH(csv::read_record(path),
-                    Contains("rows of 20001 columns are more than a file of this size may have"));
+  CHECK_THROWS_WITH(csv::read_record(path), Contains("20001"));
 }
 
 TEST_CASE("many columns of one name have names that MATLAB allows, and come back from its file") {
