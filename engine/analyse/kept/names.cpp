@@ -13,6 +13,8 @@
 #include "engine/analyse/query/formula.hpp"
 #include "engine/analyse/query/number.hpp"
 #include "engine/analyse/query/varied.hpp"
+#include "engine/base/yaml/document.hpp"
+#include "engine/base/yaml/error.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/signal_words.hpp"
 #include "engine/simulate/record/recorder.hpp"
@@ -145,7 +147,11 @@ void add_words(const diagram::Diagram& diagram, query::SymbolTable& names) {
 
 std::string without_quotes(const std::string& word) {
   const bool quoted = word.size() > 1 && word.front() == '"' && word.back() == '"';
-  return quoted ? word.substr(1, word.size() - 2) : word;
+  try {
+    return quoted ? yaml::parse_document(word, "a word").root.text : word;
+  } catch (const yaml::Error&) {  // a word of a table, whose quotes are its own
+    return word;
+  }
 }
 
 query::SymbolTable names_of(const run::Job& job) {

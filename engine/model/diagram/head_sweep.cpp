@@ -26,8 +26,7 @@ namespace {
 
 /// Returns a swept value as the text of a setting.
 std::string setting_text(const yaml::Node& node) {
-  if (!node.is_scalar()) return yaml::yaml_line(node);
-  return node.quoted ? fmt::format("\"{}\"", node.text) : node.text;
+  return node.is_scalar() && !node.quoted ? node.text : yaml::yaml_line(node);
 }
 
 /// Returns the file's own value for an axis as the text of a setting. Without one it adds a fault of

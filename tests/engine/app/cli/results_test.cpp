@@ -307,3 +307,20 @@ TEST_CASE("what is wrong in a scene is told before the first step") {
   CHECK_THAT(done.err, Contains("scene.animation.to: 2 s is not within the run, which lasts 1 s"));
   CHECK_THAT(done.err, Contains("figure.at: 3 s is not within the run, which lasts 1 s"));
 }
+
+TEST_CASE("swept words with quotes and backslashes are those of the file") {
+  const Scratch folder;
+  folder.file("a\"b.csv", "time,x\n0,1\n1,1\n");
+  folder.file("a\\nb.csv", "time,x\n0,2\n1,2\n");
+  folder.file("c.csv", "time,x\n0,3\n1,3\n");
+  folder.file("m.yaml",
+              "stepwire: 1\ntitle: words\nstep: 1 s\nstop: 1 s\nparameters: {w: {value: c.csv, doc: file}}\n"
+              "sweep: {w: ['a\"b.csv', 'a\\nb.csv']}\nblocks:\n  x: {block: FromFile, file: $w, column: x}\n"
+              "record: [x]\nclaims:\n  - {that: the first, min: x, equals: 1}\n"
+              "  - {that: both, max: x, equals: 2}\n");
+  const auto run = run_program(folder, {"run", "m.yaml", "--csv", "-"});
+  INFO(run.err);
+  CHECK_THAT(run.out, Contains("a\"\"b.csv") || Contains("a\"b.csv"));
+  CHECK_THAT(run.out, Contains("a\\nb.csv"));
+  CHECK_THAT(run.err + run.out, Contains("ok   both"));
+}
