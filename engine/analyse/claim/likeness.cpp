@@ -88,7 +88,9 @@ std::shared_ptr<Likeness> read_baseline(const yaml::Node& node, const query::Nam
   const std::string path =
       (fs::path(read.names.file).parent_path() / likeness->file).lexically_normal().string();
   if (!fs::exists(path)) {
-    read.fault(node.mark, "there is no file " + path + yaml::near_file(path).text());
+    read.fault(node.mark,
+               fmt::format("there is no file {}{}; a run without this claim writes one: run --csv {}", path,
+                           yaml::near_file(path).text(), path));
     return nullptr;
   }
   if (fs::path(path).extension() != ".csv") {

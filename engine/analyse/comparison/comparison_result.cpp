@@ -42,7 +42,8 @@ void declare(Record<RecordingDifference>& is) {
 }
 
 std::string difference_text(const SignalDifference& signal) {
-  const std::string unit = signal.unit.empty() ? "" : " " + signal.unit;
+  const std::string unit = signal.unit.empty() || signal.unit == "1" ? "" : " " + signal.unit;
+  const std::string run = signal.run > 0 ? fmt::format(" of run {}", signal.run + 1) : "";
   std::string text = signal.name + ": ";
   if (signal.missing > 0)
     text += fmt::format("{} rows have a number on one side alone, first at {:.6g} s", signal.missing,
@@ -50,10 +51,10 @@ std::string difference_text(const SignalDifference& signal) {
   else if (signal.difference == 0.0)
     text += "no difference";
   else
-    text += fmt::format("{} {:.4g}{}{} at {:.6g} s, {:.6g} and {:.6g}",
+    text += fmt::format("{} {:.4g}{}{} at {:.6g} s{}, {:.6g} and {:.6g}",
                         signal.differing > 0 ? "differs by" : "largest difference", signal.difference, unit,
                         signal.share ? fmt::format(" ({:.3g} %)", 100.0 * *signal.share) : "", signal.time,
-                        signal.a, signal.b);
+                        run, signal.a, signal.b);
   if (signal.differing > 0 && signal.missing == 0)
     text += fmt::format(", beyond {:.4g}{}", signal.tolerance, unit);
   for (const std::string& note : signal.notes) text += "; " + note;
