@@ -181,7 +181,8 @@ Action declare_diff(CLI::App& verb) {
                   "two diagram files or folders; one file is compared with its last commit")
       ->required();
   verb.add_option("--rev", call->revision, "revision of git to compare with, HEAD~1, or two, v1..v2");
-  verb.add_option("-o", call->out, "one drawing of both to write: SVG, or PNG or PDF by its ending");
+  verb.add_option("-o,--out", call->out, "one drawing of both to write: SVG, or PNG or PDF by its ending")
+      ->type_name("FILE");
   verb.add_flag("--json", call->json, "print the differences as JSON");
   verb.add_flag("--text", call->facts, "print the meaning of one file in sorted lines, for git log -p");
   return [call](const Registry& registry) {
