@@ -13,9 +13,9 @@ struct Host {
   std::string root = "/";
 };
 
-/// Calls a verb in a process of its own and returns the result of `tools/call`: a short text, the data as
-/// `structuredContent` and as text, and isError for a verb that found a fault, was ended or could not start.
-/// A stop request ends the process.
+/// Calls a verb in a process of its own and returns the result of `tools/call`. It has a short text, and the
+/// data as `structuredContent` and as text. isError is set if the verb found a fault or was ended. A stop
+/// request ends the process.
 json::Json call_tool(const Tool& tool, const json::Json& arguments, const Host& host, std::stop_token stop);
 
 }  // namespace stepwire::mcp
