@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "engine/base/subprocess/process.hpp"
 #include "tests/engine/app/cli/program.hpp"
@@ -66,7 +67,7 @@ TEST_CASE("every verb and option is in the completions of each shell and in the 
     CHECK_THAT(bash, Contains("  " + verb + ")\n"));
     CHECK_THAT(zsh, Contains("    " + verb + ")\n"));
     CHECK_THAT(fish, Contains(" -f -a " + verb + " -d "));
-    CHECK_THAT(man, Contains(".SS " + verb + "\n"));
+    CHECK_THAT(man, Contains(".SS " + std::regex_replace(verb, std::regex("-"), "\\-") + "\n"));
   }
   CHECK_THAT(bash, Contains("--set-from"));
   CHECK_THAT(zsh, Contains("--set-from["));

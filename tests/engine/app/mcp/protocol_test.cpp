@@ -1,7 +1,10 @@
 // The Model Context Protocol: messages, schemas, limits and the folder of a call.
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
+#include "engine/app/mcp/mcp_server.hpp"
 #include "tests/engine/app/mcp/client.hpp"
 
 using Catch::Contains;
@@ -188,4 +191,40 @@ TEST_CASE("a large answer is shortened with a note") {
       {{"rows", 2000}});
   CHECK(data.dump().size() < 120'000);
   CHECK_THAT(data["shortened"][0].get<std::string>(), Contains("of 2000 items"));
+}
+
+TEST_CASE("a call that runs ends when it is cancelled, and has no answer") {
+  namespace mcp = stepwire::mcp;
+  const stepwire::reference::VerbWords verb{
+      "run", "run", "", {{{"FILE"}, "TEXT", {}, "file", true, false}}, {}};
+  std::vector<json> sent;
+  mcp::McpServer server(mcp::tools_of({verb}), {STEPWIRE_PROGRAM, "/"}, "1",
+                        [&](const std::string& message) { sent.push_back(json::parse(message)); });
+  const auto begin = std::chrono::steady_clock::now();
+  std::thread serving([&] { server.run(); });
+  server.post(request(1, "initialize", {{"protocolVersion", "2025-06-18"}}));
+  server.post(request(2, "tools/call", {{"name", "run"}, {"arguments", {{"text", endless}}}}));
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  server.post(R"({"jsonrpc":"2.0","method":"notifications/cancelled","params":{"requestId":2}})");
+  server.post(request(3, "ping"));
+  server.close();
+  serving.join();
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
+  REQUIRE(sent.size() == 2);
+  CHECK(sent[0]["id"] == 1);
+  CHECK(sent[1]["id"] == 3);
+}
+
+TEST_CASE("lines of messages arrive in any pieces, and the last one may lack its end") {
+  std::string bytes = "one\n\r\n  \ntwo\nthree";
+  stepwire::mcp::LineReader lines([&](char* to, std::size_t) -> std::size_t {
+    if (bytes.empty()) return 0;
+    *to = bytes.front();
+    bytes.erase(0, 1);
+    return 1;
+  });
+  CHECK(lines.next() == "one");
+  CHECK(lines.next() == "two");
+  CHECK(lines.next() == "three");
+  CHECK_FALSE(lines.next().has_value());
 }
