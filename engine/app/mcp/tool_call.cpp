@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/app/mcp/bounded.hpp"
+#include "engine/app/mcp/recorded_signals.hpp"
 #include "engine/app/mcp/tool_arguments.hpp"
 #include "engine/app/mcp/tool_folder.hpp"
 #include "engine/base/io/environment_error.hpp"
@@ -69,24 +70,6 @@ Json lines_of(const std::string& text) {
     if (!line.empty() && ++count <= most_lines) lines.push(line);
   if (count > most_lines) lines.push(fmt::format("and {} lines more", count - most_lines));
   return lines;
-}
-
-/// Returns the recorded signals, thinned to the requested rows. Numbers that are not finite are null.
-Json signals_of(const std::string& file, std::size_t most) {
-  table::ColumnWords words;
-  const table::Table table = table::read_csv(file, words);
-  Json columns = Json::list(), rows = Json::list();
-  for (const table::Column& column : table.columns)
-    columns.push(column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit));
-  for (const std::size_t row : even_indices(table.rows(), most)) {
-    Json numbers = Json::list();
-    for (const table::Column& column : table.columns) numbers.push(column.values[row]);
-    rows.push(std::move(numbers));
-  }
-  return Json::object()
-      .set("columns", std::move(columns))
-      .set("rows", std::move(rows))
-      .set("of", table.rows());
 }
 
 Json files_in(const fs::path& folder, const std::string& out) {
@@ -176,7 +159,7 @@ Json result_of(const Tool& tool, const VerbCall& call, const ToolFolder& folder,
   Json data = Json::object();
   if (exited) add_output(tool, call, folder.shown(done.output), data);
   const std::string csv = folder.scratch() + "/signals.csv";
-  if (call.rows > 0 && fs::exists(csv)) data.set("signals", signals_of(csv, call.rows));
+  if (call.rows > 0 && fs::exists(csv)) data.set("signals", recorded_signals(csv, call.rows));
   if (!call.out.empty() && fs::exists(fs::path(folder.path()) / call.out))
     data.set("files", files_in(folder.path(), call.out));
   std::vector<std::string> shortened;

@@ -182,6 +182,23 @@ TEST_CASE("recorded signals are thinned to the wanted rows, with the first and t
   CHECK(signals["rows"][4][0] == 1.0);
 }
 
+TEST_CASE("rows of a sweep have its words") {
+  const json data = Client().on_text("run",
+                                     diagram("1 s", "2 s", R"yaml(parameters: {method: forward_euler}
+sweep: {method: [forward_euler, backward_euler]}
+blocks:
+  a: {block: DiscreteIntegrator, u: 1, method: $method}
+record: [a]
+)yaml",
+                                             ""),
+                                     {{"rows", 6}});
+  INFO(data.dump(1));
+  REQUIRE(data["signals"]["rows"].size() == 6);
+  CHECK(data["signals"]["columns"] == json{"time [s]", "method", "a"});
+  CHECK(data["signals"]["rows"][0] == json{0.0, "forward_euler", 0.0});
+  CHECK(data["signals"]["rows"][5] == json{2.0, "backward_euler", 3.0});
+}
+
 TEST_CASE("a large answer is shortened with a note") {
   const Client client;
   const json data = client.on_text(
