@@ -81,8 +81,8 @@ TEST_CASE("task: a thermostat with hysteresis has the period of its two exponent
 }
 
 TEST_CASE("task: an LQG loop has the innovation of the Riccati equation") {
-  // x[k+1] = x + u + w, y = x + v, q = 0.01, r = 1: P = (q + sqrt(q^2 + 4 q r))/2 = 0.105125,
-  // the innovation has the variance P + r.
+  // The plant is x[k+1] = x + u + w, y = x + v, with q = 0.01 and r = 1. Then P = (q + sqrt(q^2 + 4 q r))/2 =
+  // 0.105125. The innovation has the variance P + r.
   const json found = Client().values(diagram("10 ms", "400 s",
                                              R"yaml(units: {kalman.estimate: "1"}
 )yaml" + rest(R"yaml(  w:      {block: Noise, seed: 3, deviation: 0.1, every: 10 ms}
