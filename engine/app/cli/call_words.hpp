@@ -1,7 +1,8 @@
 #pragma once
 
-#include <string>
 #include <vector>
+
+#include "engine/app/reference/verb_words.hpp"
 
 namespace CLI {
 class App;
@@ -9,20 +10,8 @@ class App;
 
 namespace stepwire::cli {
 
-/// Option or positional argument of a verb, as declared.
-struct OptionWords {
-  std::vector<std::string> names;    ///< with dashes: "-o", "--out"; without for a positional argument
-  std::string value;                 ///< placeholder of the value, "TEXT"; empty for a flag
-  std::vector<std::string> choices;  ///< allowed values; empty if there is no closed list
-  std::string about;
-  bool required = false, repeated = false;
-};
-
-/// Verb with its options and arguments. The program itself has an empty name.
-struct VerbWords {
-  std::string name, about, footer;
-  std::vector<OptionWords> positionals, options;
-};
+using reference::OptionWords;
+using reference::VerbWords;
 
 /// Returns the options of the program before the verb.
 VerbWords program_words(const CLI::App& program);

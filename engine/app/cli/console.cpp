@@ -144,6 +144,13 @@ bool finish_output() {
   return false;
 }
 
+std::size_t read_standard_input(char* to, std::size_t most) {
+  ssize_t count = 0;
+  do count = ::read(STDIN_FILENO, to, most);
+  while (count < 0 && errno == EINTR);
+  return count > 0 ? static_cast<std::size_t>(count) : 0;
+}
+
 void fill_standard_streams() {
   for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) < 0) [[maybe_unused]]

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <string_view>
 #include <utility>
 
@@ -61,6 +62,10 @@ void complain(fmt::format_string<Values...> format, Values&&... values) {
 /// Flushes the standard output. After a failed write, prints one line on the standard error and returns
 /// false. A closed pipe, as of `head`, is no failure.
 bool finish_output();
+
+/// Reads at most `most` bytes of the standard input and returns their count; 0 at its end. Interrupted reads
+/// continue.
+std::size_t read_standard_input(char* to, std::size_t most);
 
 /// Opens closed standard streams on /dev/null. Otherwise the next opened file would get the descriptor and
 /// the output. The mode is chosen so that reading or writing fails.

@@ -203,7 +203,8 @@ Action declare_diff(CLI::App& verb) {
                   "two diagram files or folders; one file is compared with its last commit")
       ->required();
   verb.add_option("--rev", call->revision, "revision of git to compare with, HEAD~1, or two, v1..v2");
-  verb.add_option("-o", call->out, "one drawing of both to write: SVG, or PNG or PDF by its ending");
+  verb.add_option("-o,--out", call->out, "one drawing of both to write: SVG, or PNG or PDF by its ending")
+      ->type_name("FILE");
   verb.add_flag("--results", call->results,
                 "also run both; worst difference of each signal, claims with another verdict");
   verb.add_flag("--json", call->json, "print the differences as JSON");

@@ -66,8 +66,9 @@ ExitCode draw_again(const DrawCall& call, const Registry& registry) {
 Action declare_draw(CLI::App& verb) {
   const auto call = std::make_shared<DrawCall>();
   verb.add_option("FILE", call->file, "a diagram file, or one that is used as a part")->required();
-  verb.add_option("-o", call->out,
-                  "SVG file to write, or PNG or PDF by its ending; SVG on the standard output without it");
+  verb.add_option("-o,--out", call->out,
+                  "SVG file to write, or PNG or PDF by its ending; SVG on the standard output without it")
+      ->type_name("FILE");
   verb.add_option("--open", call->options.open, "parts whose inside is drawn: rig, rig.mount")
       ->delimiter(',');
   verb.add_option("--depth", call->options.depth, "open all parts down to so many levels")

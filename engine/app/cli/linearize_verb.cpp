@@ -83,7 +83,7 @@ Action declare_linearize(CLI::App& verb) {
                   "how the loop is closed for margins; negative, but positive where --from, --to and "
                   "--open are one wire")
       ->check(choice({"negative", "positive"}));
-  verb.add_option("--out", call->out, "folder for linear.json and linear.mat");
+  verb.add_option("--out", call->out, "folder for linear.json and linear.mat")->type_name("DIR");
   verb.add_flag("--json", call->json, "print the result as JSON");
   add_load_options(verb, call->words);
   return [call](const Registry& registry) {

@@ -1,7 +1,4 @@
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <cerrno>
 #include <memory>
 #include <thread>
 
@@ -13,13 +10,6 @@
 namespace stepwire::cli {
 
 namespace {
-
-std::size_t read_standard_input(char* to, std::size_t most) {
-  ssize_t count = 0;
-  do count = ::read(STDIN_FILENO, to, most);
-  while (count < 0 && errno == EINTR);
-  return count > 0 ? static_cast<std::size_t>(count) : 0;
-}
 
 /// Passes all messages of the standard input to the server.
 void read_messages(language::LanguageServer& server) {

@@ -60,6 +60,7 @@ void add_load_options(CLI::App& verb, LoadWords& words) {
       ->allow_extra_args(false);
   verb.add_option("--set-from", words.set_from,
                   "a file with such values, as 'name: value'; fit and tune write one")
+      ->type_name("FILE")
       ->allow_extra_args(false);
   verb.add_flag("--large", words.large, "read files above 8 MB, up to 512 MB");
 }

@@ -204,7 +204,8 @@ void add_run_options(CLI::App& verb, RunCall& call, const std::string& out) {
   add_model_options(verb, call.models);
   add_engine_option(verb, call.engine,
                     "interpreted, compiled, or auto: compiled once that is worth it; all to the same bits");
-  verb.add_option("--out", call.out, out + "; - writes them as a tar archive to the standard output");
+  verb.add_option("--out", call.out, out + "; - writes them as a tar archive to the standard output")
+      ->type_name("DIR");
   add_kinds_options(verb, call.files, call.pictures);
   verb.add_flag(
       "--mpi", call.mpi,

@@ -36,7 +36,8 @@ ExitCode find_point(const TrimCall& call, const Registry& registry) {
 Action declare_trim(CLI::App& verb) {
   const auto call = std::make_shared<TrimCall>();
   verb.add_option("FILE", call->file, "a diagram file with a section 'trim'")->required();
-  verb.add_option("--out", call->out, "folder for parameters.yaml, which --set-from takes, and trim.json");
+  verb.add_option("--out", call->out, "folder for parameters.yaml, which --set-from takes, and trim.json")
+      ->type_name("DIR");
   verb.add_flag("--json", call->json, "print the result as JSON");
   add_load_options(verb, call->words);
   return [call](const Registry& registry) {

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
+
+#include "engine/app/language/json_rpc.hpp"
 
 namespace stepwire::language {
 
@@ -12,26 +13,7 @@ using json::Json;
 
 namespace {
 
-/// Message that violates the protocol. The code is one of JSON-RPC or of the protocol.
-class ProtocolError : public std::runtime_error {
- public:
-  ProtocolError(int code, const std::string& message) : std::runtime_error(message), code(code) {}
-  int code;
-};
-
-namespace rpc {
-constexpr int parse_error = -32700, invalid_request = -32600, no_method = -32601, invalid_params = -32602,
-              internal_error = -32603, not_initialized = -32002, request_cancelled = -32800,
-              request_failed = -32803;
-}
-
-// Fields of messages. Each function throws ProtocolError if the field is missing or malformed.
-const Json& member(const Json& object, const char* name) {
-  const Json* found = object.find(name);
-  if (!found) throw ProtocolError(rpc::invalid_params, fmt::format("'{}' is missing", name));
-  return *found;
-}
-
+/// Returns a number from 0 on. Throws ProtocolError for a missing or other one.
 int whole(const Json& object, const char* name) {
   const auto number = member(object, name).as_number();
   if (!number || !(*number >= 0.0))
@@ -75,12 +57,6 @@ int kind_of(OutlineItem::Kind kind) {
     default:
       return 17;  // Boolean
   }
-}
-
-const std::string& text_member(const Json& object, const char* name) {
-  const std::string* text = member(object, name).as_text();
-  if (!text) throw ProtocolError(rpc::invalid_params, fmt::format("'{}' is no text", name));
-  return *text;
 }
 
 EditorPosition position_of(const Json& position) {
@@ -127,23 +103,6 @@ Json json_of(const OutlineItem& item) {
 /// Pause without messages before files are analysed, so that the analysis does not delay a typing user.
 constexpr std::chrono::milliseconds quiet{15};
 constexpr std::size_t most_cancelled = 256;
-constexpr std::string_view cancel = "$/cancelRequest";
-
-/// Returns the id of a cancelled request, as JSON text; empty for any other message.
-std::string cancelled_by(const std::string& message) {
-  if (message.find(cancel) == std::string::npos) return "";
-  try {
-    const Json read = Json::parse(message);
-    const Json* method = read.find("method");
-    const Json* params = read.find("params");
-    const Json* id = params ? params->find("id") : nullptr;
-    const bool is = method && method->as_text() && *method->as_text() == cancel && id;
-    return is ? id->text(-1) : "";
-  } catch (const json::JsonError&) {
-    return "";
-  }
-}
-
 EditorPosition at(const Json& params) {
   return position_of(member(params, "position"));
 }
@@ -210,7 +169,7 @@ const std::map<std::string, void (LanguageServer::*)(const Json&)>& LanguageServ
 }
 
 void LanguageServer::post(std::string message, std::shared_ptr<void> held) {
-  const std::string id = cancelled_by(message);
+  const std::string id = cancelled_id(message, "$/cancelRequest", "id");
   const std::scoped_lock lock(mutex_);
   if (id.empty())
     messages_.push_back({std::move(message), std::move(held)});
@@ -292,7 +251,7 @@ void LanguageServer::answer(const Json& id, const std::string& method, const Jso
     if (known == requests().end())
       throw ProtocolError(rpc::no_method, fmt::format("there is no method '{}'", method));
     Json result = (this->*known->second)(params);
-    send(Json::object().set("jsonrpc", "2.0").set("id", id).set("result", std::move(result)));
+    send(answer_message(id, std::move(result)));
   } catch (const ProtocolError& error) {
     send_error(id, error.code, error.what());
   } catch (const EditRefused& refused) {
@@ -315,8 +274,7 @@ void LanguageServer::send(const Json& message) {
 }
 
 void LanguageServer::send_error(const Json& id, int code, const std::string& message) {
-  Json error = Json::object().set("code", code).set("message", message);
-  send(Json::object().set("jsonrpc", "2.0").set("id", id).set("error", std::move(error)));
+  send(error_message(id, code, message));
 }
 
 std::string LanguageServer::file_of(const Json& params) {

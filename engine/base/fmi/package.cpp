@@ -12,6 +12,7 @@
 
 #include "engine/base/fmi/unit_error.hpp"
 #include "engine/base/io/file.hpp"
+#include "engine/base/io/inside.hpp"
 
 namespace stepwire::fmi {
 
@@ -101,6 +102,7 @@ struct Archive::Handle {
 };
 
 Archive::Archive(const std::string& path) : path_(path) {
+  io::require_inside(path);
   int reason = 0;
   zip_t* opened = zip_open(path.c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &reason);
   if (!opened) {

@@ -2,9 +2,12 @@
 
 #include <hdf5.h>
 
+#include "engine/base/io/inside.hpp"
+
 namespace stepwire::hdf5 {
 
 Handle open_file(const std::string& path) {
+  if (!io::is_inside(path)) Session::refuse("the file is outside of the folder of the call; name one inside");
   Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file) {
     const bool begins_well = H5Fis_hdf5(path.c_str()) > 0;

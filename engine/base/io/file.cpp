@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "engine/base/io/descriptor.hpp"
+#include "engine/base/io/inside.hpp"
 #include "engine/base/io/leftovers.hpp"
 #include "engine/base/io/owned_folder.hpp"
 #include "engine/base/io/temporary.hpp"
@@ -79,6 +80,7 @@ void refuse_file(const std::string& path, int reason) {
 }
 
 std::string read_file(const std::string& path) {
+  require_inside(path);
   std::error_code none;
   const fs::file_status status = fs::status(path, none);
   if (fs::is_directory(status)) refuse_file(path, EISDIR);

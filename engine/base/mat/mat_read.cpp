@@ -10,6 +10,7 @@
 
 #include "engine/base/hdf5/handle.hpp"
 #include "engine/base/hdf5/hdf5_read.hpp"
+#include "engine/base/io/inside.hpp"
 #include "engine/base/mat/mat_content.hpp"
 #include "engine/base/mat/mat_file.hpp"
 #include "engine/base/mat/mat_names.hpp"
@@ -136,6 +137,7 @@ table::RecordTable read_by_library(const std::string& path) {
 enum class Level { own, by_library, hdf5 };
 
 Level level_of(const std::string& path) {
+  io::require_inside(path);
   std::error_code none;
   if (!std::filesystem::is_regular_file(path, none)) return Level::own;
   std::array<char, 128> start{};

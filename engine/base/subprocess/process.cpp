@@ -30,7 +30,7 @@ namespace {
 class Child {
  public:
   /// Starts the program; alive() is false on failure.
-  Child(const std::vector<std::string>& command, const std::string& scratch);
+  Child(const ProcessCall& call, const std::string& scratch);
   /// Kills the whole group.
   ~Child();
   Child(const Child&) = delete;
@@ -68,9 +68,10 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   return result;
 }
 
-/// Returns the environment of this process with TMPDIR set to another folder.
-std::vector<std::string> environment_with(const std::string& scratch) {
-  std::vector<std::string> result;
+/// Returns the environment of this process with other variables, and TMPDIR set to another folder.
+std::vector<std::string> environment_with(const std::vector<std::string>& variables,
+                                          const std::string& scratch) {
+  std::vector<std::string> result = variables;  // of two variables of one name programs take the first
   for (char** variable = environ; *variable; ++variable) {
     const std::string text = *variable;
     if (scratch.empty() || !text.starts_with("TMPDIR=")) result.push_back(text);
@@ -102,14 +103,16 @@ class Attributes {
 };
 
 /// Starts a program in a group; -1 on failure.
-pid_t spawn(std::vector<std::string> command, const std::string& scratch, const std::array<int, 3>& streams,
+pid_t spawn(const ProcessCall& call, const std::string& scratch, const std::array<int, 3>& streams,
             pid_t group) {
+  std::vector<std::string> command = call.command;
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   for (int stream = 0; stream < 3; ++stream)
     posix_spawn_file_actions_adddup2(&actions, streams[static_cast<std::size_t>(stream)], stream);
+  if (!call.folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, call.folder.c_str());
   const Attributes attributes(group);
-  std::vector<std::string> variables = environment_with(scratch);
+  std::vector<std::string> variables = environment_with(call.variables, scratch);
   pid_t id = -1;
   const int status = ::posix_spawnp(&id, command.front().c_str(), &actions, &attributes.value,
                                     pointers(command).data(), pointers(variables).data());
@@ -124,8 +127,8 @@ constexpr const char* guard_script =
 
 pid_t spawn_guard(const std::string& scratch, int life) {
   const io::Descriptor nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
-  return spawn({"/bin/sh", "-c", guard_script, "sh", scratch}, "", {life, nothing.number(), nothing.number()},
-               0);
+  const ProcessCall call{.command = {"/bin/sh", "-c", guard_script, "sh", scratch}};
+  return spawn(call, "", {life, nothing.number(), nothing.number()}, 0);
 }
 
 void await(pid_t id, int& status) {
@@ -133,7 +136,7 @@ void await(pid_t id, int& status) {
   }
 }
 
-Child::Child(const std::vector<std::string>& command, const std::string& scratch) {
+Child::Child(const ProcessCall& call, const std::string& scratch) {
   auto in = connection(), out = connection(), err = connection(), life = connection();
   if (!in[1].open() || !out[1].open() || !err[1].open() || !life[1].open()) return;
   {
@@ -141,7 +144,7 @@ Child::Child(const std::vector<std::string>& command, const std::string& scratch
     guard_ = spawn_guard(scratch, life[1].number());
     if (guard_ < 0) return;
     io::note_group(guard_);
-    id_ = spawn(command, scratch, {in[1].number(), out[1].number(), err[1].number()}, guard_);
+    id_ = spawn(call, scratch, {in[1].number(), out[1].number(), err[1].number()}, guard_);
   }
   if (!alive()) {
     end_group();
@@ -329,7 +332,7 @@ ProcessResult run_process(const ProcessCall& call) {
     return result;
   }
   const ScratchFolder scratch;
-  Child child(call.command, scratch.path());
+  Child child(call, scratch.path());
   if (!child.alive()) return result;
   result.end = Conversation(child, call, result).hold();
   const int status = child.end();

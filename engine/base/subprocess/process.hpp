@@ -11,11 +11,13 @@ namespace stepwire::subprocess {
 
 /// A program to run, with its limits.
 struct ProcessCall {
-  std::vector<std::string> command;    ///< the program, searched on the PATH, and its arguments
-  std::string input{};                 ///< for its standard input
-  std::stop_token stop{};              ///< kills it on request
-  std::chrono::milliseconds limit{0};  ///< time after which it is killed; 0: usual_limit()
-  std::size_t max_output = 1u << 30u;  ///< [bytes] beyond which it is killed
+  std::vector<std::string> command;      ///< The program, searched on the PATH, and its arguments.
+  std::string input{};                   ///< Standard input.
+  std::string folder{};                  ///< Working folder; empty: that of this process.
+  std::vector<std::string> variables{};  ///< Variables added to the environment: "NAME=value".
+  std::stop_token stop{};                ///< Kills it on request.
+  std::chrono::milliseconds limit{0};    ///< Time after which it is killed; 0: usual_limit().
+  std::size_t max_output = 1u << 30u;    ///< Bytes of output beyond which it is killed.
 };
 
 /// Outcome of running a program.

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/base/io/inside.hpp"
 #include "engine/base/text/characters.hpp"
 #include "engine/base/yaml/near_file.hpp"
 #include "engine/base/yaml/yaml_reader.hpp"
@@ -78,6 +79,7 @@ void check_size(std::uintmax_t size, const std::string& file, const DocumentLimi
 
 // Reads a file up to the limit. The size is checked first; reading checks it again, since the file may grow.
 std::string contents(const std::string& path, const DocumentLimits& limits) {
+  if (!io::is_inside(path)) fail(path, {}, "this file is outside of the folder of the call; name one inside");
   std::error_code none;
   const auto status = std::filesystem::status(path, none);
   if (std::filesystem::is_directory(status)) fail(path, {}, "this is a folder, not a file");
