@@ -47,7 +47,7 @@ class Walk {
   void take(const yaml::Entry& entry, const std::string& place) {
     static const std::set<std::string> maps{"states", "to", "counters"}, lists{"figure", "figures", "panels"};
     Names names;
-    if (maps.contains(entry.key))
+    if (maps.contains(entry.key) && place.starts_with("blocks."))
       for (const yaml::Entry& one : entry.value.entries) names.push_back(one.key);
     if (lists.contains(entry.key))
       for (const yaml::Node& one : entry.value.items) names.push_back(item_text(one));

@@ -19,11 +19,13 @@ Lines lines_of_other(const std::string& file, const std::string& text) {
   return lines(comparer.result());
 }
 
-/// Puts the entries of all maps into another order.
-void shuffle(yaml::Node& node, std::uint64_t& count) {
+/// Puts the entries of all maps into another order, but for states, transitions and counters, whose order has
+/// a meaning.
+void shuffle(yaml::Node& node, std::uint64_t& count, bool keeps_order = false) {
   for (yaml::Node& item : node.items) shuffle(item, count);
-  for (yaml::Entry& entry : node.entries) shuffle(entry.value, count);
-  for (std::size_t i = node.entries.size(); i > 1; --i)
+  for (yaml::Entry& entry : node.entries)
+    shuffle(entry.value, count, entry.key == "states" || entry.key == "to" || entry.key == "counters");
+  for (std::size_t i = node.entries.size(); i > 1 && !keeps_order; --i)
     std::swap(node.entries[i - 1], node.entries[random_bits(7, count++) % i]);
 }
 
