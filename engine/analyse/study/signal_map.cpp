@@ -30,9 +30,10 @@ std::vector<char> blocks_between(const diagram::Diagram& diagram, const diagram:
   return between;
 }
 
-/// True for a block whose outputs depend on its inputs only.
+/// True for a block whose outputs depend on its inputs only. States without an update are modes, which follow
+/// from the inputs.
 bool is_function(const BlockType& type) {
-  return type.states.empty() && type.clocks.empty() && !type.run_update;
+  return !type.has_continuous_state() && type.clocks.empty() && !type.run_update;
 }
 
 diagram::DiagramBlock point_source(const diagram::Diagram& diagram, const diagram::SignalRef& from) {

@@ -59,7 +59,7 @@ void draw(const DiffCall& call, const Registry& registry, const std::string& fro
 
 using Results = std::optional<session::ResultComparison>;
 
-/// Runs both files where the call asks for results.
+/// Runs both files for a call with `results`; std::nullopt for others.
 Results results_of(const DiffCall& call, const Registry& registry, const std::string& from,
                    const std::string& to) {
   if (!call.results) return std::nullopt;

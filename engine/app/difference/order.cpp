@@ -13,7 +13,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// Returns a text for a figure or panel that tells it from others: what it draws.
+/// Returns the title, name, kind and axes of a figure or panel.
 std::string item_text(const yaml::Node& item) {
   std::string text;
   for (const char* key : {"title", "name", "plot", "x", "y"})

@@ -8,7 +8,7 @@ namespace stepwire::reference {
 /// Option or positional argument of a verb, as declared.
 struct OptionWords {
   std::vector<std::string> names;    ///< with dashes: "-o", "--out"; without for a positional argument
-  std::string value;                 ///< placeholder of the value, "TEXT"; empty for a flag
+  std::string value;                 ///< word for the value in the help, "TEXT"; empty for a flag
   std::vector<std::string> choices;  ///< allowed values; empty if there is no closed list
   std::string about;
   bool required = false, repeated = false;

@@ -22,7 +22,7 @@ struct ResultComparison {
   bool agrees() const { return signals.agrees && claims.empty(); }
 };
 
-/// Runs two diagrams and compares what they record and what their claims say. Throws yaml::Error for a
+/// Runs two diagrams and compares their recorded signals and the verdicts of their claims. Throws yaml::Error for a
 /// diagram with a fault, for a run that ends by one, and for studies and fits.
 ResultComparison compare_results(Session& session, const std::string& before, const std::string& after);
 

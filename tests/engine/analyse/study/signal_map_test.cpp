@@ -46,6 +46,21 @@ TEST_CASE("a signal is evaluated as a function of another one, wherever that is,
     }
 }
 
+TEST_CASE("a switch is a function of its inputs, at ticks and with located events") {
+  const std::string switched = field;
+  const std::string yaml = switched.substr(0, switched.find("units:")) +
+                           "  chosen:  {block: Switch, control: outside, then: back, else: at}\n"
+                           "units: {at: m, back: m, behind: m, way: m}\nrecord: [at, chosen]\n";
+  for (const char* events : {"", "events: locate\n"}) {
+    const plan::Plan plan = plan_text(yaml + events);
+    const SignalMap chosen(plan.diagram, recorded(plan, "at"), recorded(plan, "chosen"), {});
+    const Eigen::Vector2d outward(0.6, 0.8);
+    CHECK((chosen(0.025 * outward) + outward).norm() == Approx(0.0).margin(1e-12));
+    CHECK((chosen(0.004 * outward) - 0.004 * outward).norm() == Approx(0.0).margin(1e-15));
+    CHECK((chosen(0.025 * outward) + outward).norm() == Approx(0.0).margin(1e-12));
+  }
+}
+
 TEST_CASE("a signal that remembers is no function of another one, and the block that does is named") {
   const plan::Plan plan = plan_text(field);
   try {

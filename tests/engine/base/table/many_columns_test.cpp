@@ -65,7 +65,7 @@ TEST_CASE("empty lines of a CSV file of many columns fill no memory", "[full]") 
   std::string head = "time";
   for (int i = 0; i < 20'000; ++i) head += ",c" + std::to_string(i);
   const std::string path = scratch.file("a.csv", head + std::string(20'000, '\n') + "x\n");
-  CHECK_THROWS_WITH(csv::read_record(path), Contains("20001"));
+  CHECK_THROWS_WITH(csv::read_record(path), Contains("a.csv:20001: 1 value where the header names 20001"));
 }
 
 TEST_CASE("many columns of one name have names that MATLAB allows, and come back from its file") {
