@@ -217,7 +217,7 @@ class Merge {
     require_meaning(wanted, merged.text);
     require_orders(merged.text);
     if (merged.conflicts.empty())
-      merged.faults = new_faults(merged.text, ours, theirs);
+      merged.faults = new_faults(merged.text, ours);
     else
       add_conflicts(merged);
     return merged;
@@ -341,14 +341,12 @@ class Merge {
     return language::analyse(files, path_).faults;
   }
 
-  /// Returns the faults that neither version has.
-  std::vector<yaml::Fault> new_faults(const std::string& text, const std::string& ours,
-                                      const std::string& theirs) const {
+  /// Returns the faults that `ours` does not have, also those that `theirs` brings, as a file cut short.
+  std::vector<yaml::Fault> new_faults(const std::string& text, const std::string& ours) const {
     std::vector<yaml::Fault> faults = faults_of(text);
     if (faults.empty()) return faults;
     std::set<std::string> known;
-    for (const std::string* version : {&ours, &theirs})
-      for (const yaml::Fault& fault : faults_of(*version)) known.insert(fault.subject + fault.message.text());
+    for (const yaml::Fault& fault : faults_of(ours)) known.insert(fault.subject + fault.message.text());
     std::erase_if(faults, [&](const yaml::Fault& fault) {
       return known.contains(fault.subject + fault.message.text());
     });

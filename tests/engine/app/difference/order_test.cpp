@@ -53,6 +53,13 @@ TEST_CASE("a merge keeps an order that one side changes, or refuses") {
                     Contains("blocks.m.states") && Contains("merge it by hand"));
 }
 
+TEST_CASE("a version that is cut short is merged with its faults, which are told") {
+  const std::string cut = chart.substr(0, chart.find("blocks:"));
+  const Merged result = merged(chart, cut);
+  REQUIRE_FALSE(result.is_clean());
+  CHECK_THAT(result.faults.at(0).text(), Contains("blocks are missing"));
+}
+
 TEST_CASE("what belongs together by place in a block is not merged key by key") {
   // a - b on one side, b + a on the other: b - a is neither.
   const std::string ours = with(chart, "signs: \"++\"", "signs: \"+-\"");
