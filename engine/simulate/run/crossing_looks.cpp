@@ -88,12 +88,7 @@ void CrossingLooks::find(double* numbers) const {
   if (stop_margin_) numbers[*plan_.stop_crossing] = (*stop_margin_)(values_);
 }
 
-void CrossingLooks::find_changing(double* numbers) const {
-  find(changing_, numbers);
-  if (stop_changes_) numbers[*plan_.stop_crossing] = (*stop_margin_)(values_);
-}
-
-double CrossingLooks::next_edge() const {
+double CrossingLooks::earliest_edge() const {
   double next = std::numeric_limits<double>::infinity();
   for (const Edge& edge : edges_) next = std::min(next, edge.next(edge.block));
   for (const std::size_t place : ends_)

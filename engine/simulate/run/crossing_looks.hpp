@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -16,10 +17,15 @@ class CrossingLooks {
 
   void find(double* numbers) const;
   /// Evaluates only the functions that may have changed although time and states have not.
-  void find_changing(double* numbers) const;
+  void find_changing(double* numbers) const {
+    if (!changing_.empty()) find(changing_, numbers);
+    if (stop_changes_) numbers[*plan_.stop_crossing] = (*stop_margin_)(values_);
+  }
   /// Returns the time of the next jump or kink of a source, or of the end of the run by a block [s]; infinity
   /// without one.
-  double next_edge() const;
+  double next_edge() const {
+    return edges_.empty() && ends_.empty() ? std::numeric_limits<double>::infinity() : earliest_edge();
+  }
   /// True once a located `stop_when` holds or a block has ended the run.
   bool stops() const;
   bool may_stop() const { return stop_margin_.has_value(); }
@@ -40,6 +46,7 @@ class CrossingLooks {
   void add(const plan::CrossingCall& call, const std::vector<bool>& settled);
   void add_stop(const std::vector<bool>& settled);
   static void find(const std::vector<Look>& looks, double* numbers);
+  double earliest_edge() const;
 
   const plan::Plan& plan_;
   const BoundBlocks& blocks_;

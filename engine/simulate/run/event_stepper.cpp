@@ -144,16 +144,14 @@ void EventStepper::keep_states() {
 /// Returns false if the run ends at the tick.
 bool EventStepper::settle_tick() {
   const plan::Layout& layout = plan_.layout;
-  if (!plan_.updates_continuous ||
-      !solve::have_changed(values_ + layout.states, tick_states_.data(), layout.state_count))
-    return true;
+  if (!solve::have_changed(values_ + layout.states, tick_states_.data(), layout.state_count)) return true;
   const solve::EventTask split = task();
   const BetweenTicks between{*this};
   return solve::EventLocator(split, values_, between).settle_tick(plan_.diagram.step);
 }
 
 void EventStepper::step(std::int64_t tick) {
-  if (!settle_tick()) return;
+  if (plan_.updates_continuous && !settle_tick()) return;
   return plan_.diagram.error_control && stepper_.moves() ? take_watched(tick) : take_whole(tick);
 }
 
@@ -173,7 +171,7 @@ void EventStepper::take_whole(std::int64_t tick) {
   if (plan_.updates_continuous && !crossing_starts_.empty()) crossing_starts_.run();
   look_at_start();
   const double edge = looks_.next_edge();
-  stepper_.step(tick);
+  stepper_.step(step);
   values_[plan::Layout::time] = step.end;
   stepper_.follow_time();
   follow_crossings();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/simulate/run/step_probe.hpp"
+#include "engine/simulate/run/whole_step.hpp"
 
 namespace stepwire::run {
 
@@ -152,9 +153,10 @@ void Executor::take_step() {
   if (health_.has_ended()) return last_outputs_->run();
   if (stepper_.moves()) who_.keep();
   if (plan_.updates_continuous) stepper_.find_outputs();
-  if (const double end = health_.end(); end < plan_.time_of(workspace_.tick + 1)) return take_last_step(end);
-  events_ ? events_->step(workspace_.tick) : stepper_.step(workspace_.tick);
-  left_.update(plan_.time_of(workspace_.tick + 1));
+  const double next = plan_.time_of(workspace_.tick + 1);
+  if (const double end = health_.end(); end < next) return take_last_step(end);
+  events_ ? events_->step(workspace_.tick) : stepper_.step(whole_step(plan_, workspace_.tick));
+  left_.update(next);
 }
 
 void Executor::take_last_step(double end) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/simulate/run/solver_of.hpp"
-#include "engine/simulate/run/whole_step.hpp"
 
 namespace stepwire::run {
 
@@ -64,10 +63,10 @@ void Stepper::advance(const solve::TimeStep& step, const solve::Stops* stops) {
   solver_->advance(*equations_, step);
 }
 
-void Stepper::step(std::int64_t tick) {
+void Stepper::step(const solve::TimeStep& step) {
   if (!moves()) return;
   find_slopes();
-  advance(whole_step(plan_, tick));
+  advance(step);
 }
 
 void Stepper::step_to(std::int64_t tick, double end) {

@@ -25,7 +25,7 @@ class Stepper {
   /// Integrates one step; the derivatives at its start must be computed.
   void advance(const solve::TimeStep& step, const solve::Stops* stops = nullptr);
   /// Integrates from one tick to the next.
-  void step(std::int64_t tick);
+  void step(const solve::TimeStep& step);
   /// Integrates from a tick to a time before the next one, which becomes the present time.
   void step_to(std::int64_t tick, double end);
   /// Writes the states at the start of the last step, for the states that it has changed.

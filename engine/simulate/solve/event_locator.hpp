@@ -393,18 +393,34 @@ class EventLocator {
     double low, high;
   };
 
+  /// Share of the distance to a crossing that a substep leaves. Where a field jumps, a step just across finds
+  /// the crossing too late by a constant share of its length, so a tenth is left. Where two searches in turn
+  /// find the same crossing, it is four times their difference.
+  struct Remainder {
+    void follow(const Bracket& found, double from) {
+      const double difference = std::max(std::abs(found.high - last), found.high - found.low);
+      if (distance > 0.0) share = std::clamp(4.0 * difference / distance, 1e-4, 0.1);
+      last = found.high;
+      distance = found.high - from;
+    }
+    double share = 0.1;
+    double last = 0.0, distance = 0.0;  ///< crossing found by the last search, and its distance
+  };
+
   /// Approaches a crossing from its near side, for plans whose blocks branch within a stage. A step across it
-  /// would evaluate the branch of the far side. So each substep leaves a tenth of the distance, until the
+  /// would evaluate the branch of the far side. So each substep leaves a share of the distance, until the
   /// width of the search. `at` is a time after the crossing, on return that of the event. False if nothing
   /// crosses.
   bool close_in(double from, double& at) {
     const double width = 1e-12 * length_, most = at;
     double high = most;
+    Remainder left;
     for (int stretch = 0; true; ++stretch) {
-      const Bracket found = locate(from, high, std::max(width, 0.05 * (high - from)));
-      const double next = from + 0.9 * (found.low - from);
+      const Bracket found = locate(from, high, std::max(width, 0.02 * left.share * (high - from)));
+      left.follow(found, from);
+      const double next = from + (1.0 - left.share) * (found.low - from);
       at = found.high;
-      if (at - from <= 4.0 * width || stretch == 100) return true;
+      if (at - from <= 4.0 * width || std::nextafter(from, at) == at || stretch == 100) return true;
       high = at;
       if (!(next > from)) continue;
       run_.forget_fault();
@@ -413,6 +429,7 @@ class EventLocator {
       if (sign_changes(start_, trial_, task_.crossing_count)) {
         std::copy_n(trial_, task_.crossing_count, high_);
         high = next;
+        left = {};
         continue;
       }
       at = next;

@@ -1,0 +1,99 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
+
+#include "engine/simulate/solve/event_locator.hpp"
+
+using namespace stepwire;
+
+namespace {
+
+constexpr double length = 1e-3;  // of the step [s]
+
+/// Falls from x0 with x' = field(x), by the classical method of Runge and Kutta. It crosses where x is 0.
+struct Fall {
+  double* numbers;  ///< time, x, x'
+  double (*field)(double x);
+  int* steps;
+
+  void advance(double from, double to, double h) const {
+    ++*steps;
+    const double x = numbers[1], a = field(x), b = field(x + 0.5 * h * a), c = field(x + 0.5 * h * b),
+                 d = field(x + h * c);
+    numbers[1] = x + h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+    numbers[0] = to;
+    static_cast<void>(from);
+  }
+  void begin() const { numbers[2] = field(numbers[1]); }
+  void crossings(double* at) const { at[0] = numbers[1]; }
+  double edge() const { return 1e300; }
+  bool failed() const { return false; }
+  void forget_fault() const {}
+  void follow() const {}
+  void before(double) const {}
+  void begin_event() const {}
+  bool round() const { return false; }
+  bool after() const { return false; }
+};
+
+struct Found {
+  int steps;
+  double events, x;  ///< x at the end of the step [1]
+};
+
+/// Takes one step from x0 at a time of the run.
+Found step_from(double time, double x0, double (*field)(double)) {
+  std::vector<double> numbers(32, 0.0), scratch(64, 0.0);
+  numbers[0] = time;
+  numbers[1] = scratch[0] = scratch[2] = x0;
+  solve::EventTask task{};
+  task.states = task.crossing_count = task.state_count = task.first = task.numbers = 1;
+  task.derivatives = 2;
+  task.report = 3;
+  task.branches = true;
+  task.max_per_step = 50;
+  task.rounds = 10;
+  task.looks = 4;
+  task.scratch = scratch.data();
+  int steps = 0;
+  const Fall fall{numbers.data(), field, &steps};
+  solve::EventLocator(task, numbers.data(), fall).advance(time, time + length, length);
+  return {steps, numbers[3], numbers[1]};
+}
+
+double with_jump(double x) {
+  return x > 0.0 ? -1.0 : -2.0;
+}
+double with_bend(double x) {
+  return -1.0 - 300.0 * std::abs(x);
+}
+
+}  // namespace
+
+TEST_CASE("a crossing at which the field jumps is met to rounding, whatever its place in the step") {
+  for (const double x0 : {1e-5, 1e-4, 3e-4, 5.2e-4, 9.9e-4}) {
+    const Found found = step_from(0.0, x0, with_jump);
+    CHECK(found.events == 1.0);
+    CHECK(found.x == Approx(-2.0 * (length - x0)).margin(1e-15));
+  }
+}
+
+// The end is that of x' = -1 - 300 |x|: ln(1 + 300 x0) / 300 seconds down, then by the same rule with -300 x.
+TEST_CASE("a crossing at which the field bends is met with the accuracy of the solver") {
+  for (const double x0 : {1e-5, 1e-4, 3e-4, 5.2e-4, 7e-4}) {
+    const double crossed = std::log(1.0 + 300.0 * x0) / 300.0;
+    const double end = (1.0 - std::exp(300.0 * (length - crossed))) / 300.0;
+    const Found found = step_from(0.0, x0, with_bend);
+    CHECK(found.events == 1.0);
+    CHECK(found.x == Approx(end).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("a crossing costs at most 40 steps at a bend and 80 at a jump of the field, late in a run, too") {
+  for (const double time : {0.0, 10.0, 1000.0, 1e6})
+    for (const double x0 : {1e-4, 3e-4, 5.2e-4, 7e-4}) {
+      INFO(time << " s, from " << x0);
+      CHECK(step_from(time, x0, with_bend).steps <= 40);
+      CHECK(step_from(time, x0, with_jump).steps <= 80);
+    }
+}
