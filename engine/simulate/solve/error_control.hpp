@@ -121,16 +121,20 @@ class Controlled {
     for (Eigen::Index i = 0; i < x.size(); ++i) sizes[i] = std::max(sizes[i], std::abs(x[i]));
   }
 
-  /// Returns the root mean square of the errors, relative to the tolerances.
+  /// Returns the root mean square of the errors, relative to the tolerances. The sum keeps what its additions
+  /// round off (Knuth's TwoSum), so the order of the states changes no bit.
   template <class X>
   double norm(const X& x, const ErrorControl& control) const {
-    double sum = 0.0;
+    double sum = 0.0, rounded_off = 0.0;
     const auto& error = method_.error();
     for (Eigen::Index i = 0; i < x.size(); ++i) {
-      const double one = part(x, error[i], i, control);
-      sum += one * one;
+      const double one = part(x, error[i], i, control), square = one * one;
+      const double whole = sum + square, added = whole - sum;
+      rounded_off += (sum - (whole - added)) + (square - added);
+      sum = whole;
     }
-    return std::sqrt(sum / static_cast<double>(std::max<Eigen::Index>(x.size(), 1)));
+    const double count = static_cast<double>(std::max<Eigen::Index>(x.size(), 1));
+    return std::sqrt((std::isfinite(sum) ? sum + rounded_off : sum) / count);
   }
 
   /// Updates the controller after an accepted step. Returns the factor for the next step size.
