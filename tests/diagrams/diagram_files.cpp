@@ -72,6 +72,19 @@ std::vector<run::Job> distinct_jobs() {
   return jobs;
 }
 
+std::vector<run::Job> jobs_of_all_blocks(const std::function<bool(const run::Job&)>& fits) {
+  std::vector<run::Job> jobs;
+  std::set<std::string> known;
+  for_every_job([&](run::Job job) {
+    if (!fits(job)) return;
+    bool is_new = false;
+    for (const diagram::DiagramBlock& block : job.plan.diagram.blocks)
+      is_new = known.insert(block.type().name).second || is_new;
+    if (is_new) jobs.push_back(std::move(job));
+  });
+  return jobs;
+}
+
 void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
   std::vector<std::jthread> threads;

@@ -14,6 +14,9 @@ void for_every_job(const std::function<void(run::Job job)>& check);
 /// Returns every such diagram, one of those that have the same code and as many points.
 std::vector<run::Job> distinct_jobs();
 
+/// Of those that fit, the ones that each have a type of block that none before has.
+std::vector<run::Job> jobs_of_all_blocks(const std::function<bool(const run::Job&)>& fits);
+
 /// Calls `work` for each index, from as many threads as there are processors.
 void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work);
 

@@ -181,6 +181,33 @@ bool same_bits(const plan::Plan& plan, run::Executor& run, const std::optional<p
   return run.healthy() == own.healthy();
 }
 
+/// Compares the runs of sweeps with plans of their own.
+void compare_sweeps(const std::vector<run::Job>& jobs) {
+  const bool has_compiler = codegen::Compiler().found();
+  if (!has_compiler) WARN("there is no C++ compiler here; compiled runs are not compared");
+  in_parallel(jobs.size(), [&](std::size_t i) {
+    const run::Job& job = jobs[i];
+    codegen::GeneratedCode source{run::code_trial()};
+    std::map<std::size_t, std::optional<plan::CompiledPlan>> code;
+    static std::mutex mutex;  // of the checks
+    for (std::size_t point : {std::size_t{0}, job.points.size() - 1}) {
+      const std::size_t member = job.points[point].member;
+      if (has_compiler && !code.contains(member))
+        code[member] = source.compile(job.family->plan(member), job.family->variable(member), {});
+      run::Executor run(job.family->plan(member));
+      if (job.points[0].member == member)
+        job.family->begin(member, job.settings_of(0), run);  // what it had before leaves no trace
+      job.family->begin(member, job.settings_of(point), run);
+      const plan::Plan own = plan_at(job, point);
+      const bool same = same_bits(own, run, code[member]);
+      const std::lock_guard lock(mutex);
+      INFO(job.plan.diagram.file << ", point " << point << " " << source.take_problem());
+      CHECK(same);
+      CHECK(code[member].has_value() == has_compiler);
+    }
+  });
+}
+
 }  // namespace
 
 TEST_CASE("every diagram that can be generated gives the interpreter's bits and asks for no memory") {
@@ -206,30 +233,12 @@ TEST_CASE("every diagram that can be generated gives the interpreter's bits and 
   fs::remove_all(folder);
 }
 
-TEST_CASE("the runs of a sweep are those of plans of their own, compiled or not") {
-  const bool has_compiler = codegen::Compiler().found();
-  if (!has_compiler) WARN("there is no C++ compiler here; compiled runs are not compared");
+TEST_CASE("the runs of sweeps over all blocks are those of plans of their own, compiled or not") {
+  compare_sweeps(jobs_of_all_blocks([](const run::Job& job) { return !job.points.empty(); }));
+}
+
+TEST_CASE("the runs of each sweep are those of plans of their own, compiled or not", "[long]") {
   std::vector<run::Job> jobs = distinct_jobs();
   std::erase_if(jobs, [](const run::Job& job) { return job.points.empty(); });
-  in_parallel(jobs.size(), [&](std::size_t i) {
-    const run::Job& job = jobs[i];
-    codegen::GeneratedCode source{run::code_trial()};
-    std::map<std::size_t, std::optional<plan::CompiledPlan>> code;
-    static std::mutex mutex;  // of the checks
-    for (std::size_t point : {std::size_t{0}, job.points.size() - 1}) {
-      const std::size_t member = job.points[point].member;
-      if (has_compiler && !code.contains(member))
-        code[member] = source.compile(job.family->plan(member), job.family->variable(member), {});
-      run::Executor run(job.family->plan(member));
-      if (job.points[0].member == member)
-        job.family->begin(member, job.settings_of(0), run);  // what it had before leaves no trace
-      job.family->begin(member, job.settings_of(point), run);
-      const plan::Plan own = plan_at(job, point);
-      const bool same = same_bits(own, run, code[member]);
-      const std::lock_guard lock(mutex);
-      INFO(job.plan.diagram.file << ", point " << point << " " << source.take_problem());
-      CHECK(same);
-      CHECK(code[member].has_value() == has_compiler);
-    }
-  });
+  compare_sweeps(jobs);
 }
