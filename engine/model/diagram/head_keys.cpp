@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/model/diagram/uses.hpp"
+
 namespace stepwire::diagram {
 
 using yaml::form;
@@ -264,6 +266,8 @@ const std::vector<HeadRow>& head_rows() {
          [](Diagram& diagram, const yaml::Node& node, const HeadReading& read) {
            reproduction_table().read(node, diagram.reproduces, read);
          }},
+        {"uses", "repositories of git, each at one commit, whose files are parts: diagram: rig/oscillator",
+         form::names(use_form(), 0, name_pattern)},
         {"parameters", "numbers and words with a name, used as $name; --set changes them",
          form::names(form::section("parameter"), 0, name_pattern)},
         {"inputs", "ports: what the file that uses this one as a part wires to it, or a program writes",
