@@ -1,6 +1,7 @@
 #include "engine/app/cli/exit_code.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 #include <string_view>
@@ -66,6 +67,11 @@ ExitCode guarded(const std::function<ExitCode()>& action, json::Json* faults) {
     return refused(
         "there is not enough memory for this run; record fewer signals or give 'record' an 'every'",
         ExitCode::surroundings);
+  } catch (const std::filesystem::filesystem_error& error) {
+    const bool is_circle = error.code() == std::errc::too_many_symbolic_link_levels;
+    const std::string path = text::visible(error.path1().string());
+    return refused(is_circle ? path + ": is a symbolic link that leads to itself" : error.what(),
+                   is_circle ? ExitCode::wrong : ExitCode::surroundings);
   } catch (const std::exception& error) {  // EnvironmentError, std::system_error and others
     return refused(error.what(), ExitCode::surroundings);
   }
