@@ -316,7 +316,7 @@ class Merge {
     const Fact* blocks = base_.facts.root.find("blocks");
     for (std::size_t i = 0; blocks && i < blocks->parts.size(); ++i) {
       const std::string name = unmarked(blocks->parts[i].key), type = type_of(blocks->parts[i]);
-      if (type != "Mux" && type != "Concatenate") continue;
+      if (type != "Mux" && type != "Concatenate" && type != "Stack") continue;
       note_elements_of(name, ours_, theirs_, conflicts);
       note_elements_of(name, theirs_, ours_, conflicts);
     }
