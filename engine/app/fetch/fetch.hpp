@@ -7,7 +7,7 @@
 
 namespace stepwire::fetch {
 
-/// What became of an entry of `uses`.
+/// Entry of `uses` whose files are in the cache.
 struct FetchedUse {
   diagram::Use use;
   std::string file{};                   ///< the file with the entry
