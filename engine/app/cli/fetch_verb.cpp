@@ -30,8 +30,9 @@ ExitCode fetch(std::vector<std::string> files) {
   if (files.empty()) files = diagrams_here();
   const fetch::Fetched fetched = fetch::fetch_parts(files);
   for (const fetch::FetchedUse& one : fetched.uses) {
-    put_data(fmt::format("{}: {} files of {} from {}{}\n", one.use.name, one.files, one.use.rev, one.use.git,
-                         one.was_there ? " were there" : ""));
+    put_data(fmt::format("{}: {} {} of {} from {}{}\n", one.use.name, one.files,
+                         one.files == 1 ? "file" : "files", one.use.rev, one.use.git,
+                         one.was_there ? ", there already" : ""));
     for (const std::string& left_out : one.left_out) complain("{}: {}\n", one.use.name, left_out);
   }
   if (!fetched.faults.empty()) throw yaml::Error(fetched.faults);

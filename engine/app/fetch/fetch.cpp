@@ -41,6 +41,9 @@ bool has_right_files(const Use& use) {
 class NewFolder {
  public:
   NewFolder() : path_(io::temporary_beside(io::cache_folder() + "/parts/new")), leftover_(path_, true) {
+    std::error_code ignored;  // an error here appears again below
+    fs::create_directories(fs::path(io::cache_folder()).parent_path(), ignored);
+    ::mkdir(io::cache_folder().c_str(), 0700);
     io::require_folder(path_);
     ::chmod(path_.c_str(), 0700);
   }

@@ -47,9 +47,9 @@ bool check_values(const Use& use, const Scope& scope, Report& report) {
 
 bool Opener::read_use(const Scope& scope, const Use& use) {
   const yaml::Node& entry = *scope.document->root.find("uses")->find(use.name);
-  if (!HeadReading(scope.prefix + "uses." + use.name, scope, report_).check(entry, use_form()) ||
-      !check_values(use, scope, report_))
-    return false;
+  const std::size_t faults = report_.faults().size();
+  HeadReading(scope.prefix + "uses." + use.name, scope, report_).check(entry, use_form());
+  if (report_.faults().size() > faults || !check_values(use, scope, report_)) return false;
   const std::string& top =
       fetched_root(scope.document->file).empty() ? scope.document->file : report_.diagram().file;
   const yaml::Message problem = fetched_.problem(use, top);

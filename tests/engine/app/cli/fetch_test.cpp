@@ -102,7 +102,7 @@ TEST_CASE("fetch prints the missing sha256 of a repository, and a run uses the f
   shop.use(shop.first, ", sha256: " + hash);
   const Done fetched = shop.run({"fetch", "main.yaml"});
   CHECK(fetched.code == 0);
-  CHECK(fetched.out == "rig: 1 files of " + shop.first + " from lib were there\n");
+  CHECK(fetched.out == "rig: 1 file of " + shop.first + " from lib, there already\n");
   CHECK(shop.run({"run", "main.yaml", "--out", "out"}).code == 0);
   const auto note = nlohmann::json::parse(content_of(shop.folder.path("out/run.json")));
   CHECK(note["uses"] == nlohmann::json::parse(R"([{"name": "rig", "git": "lib", "rev": ")" + shop.first +
@@ -120,7 +120,7 @@ TEST_CASE("only fetch connects to a repository, and other verbs name the call th
     CHECK(done.err == "main.yaml:6:3: uses.rig: rig at " + shop.first +
                           " is not fetched; `stepwire fetch main.yaml` fetches it\n");
   }
-  CHECK(shop.run({"fetch"}).out == "rig: 1 files of " + shop.first + " from lib\n");
+  CHECK(shop.run({"fetch"}).out == "rig: 1 file of " + shop.first + " from lib\n");
   CHECK(shop.run({"check", "main.yaml"}).code == 0);
 }
 
@@ -251,7 +251,7 @@ TEST_CASE("the parts of a fetched part are fetched, and two versions of one name
   use(top, ", sha256: " + hash_of_top + "}\n");
   const Done both = shop.run({"fetch", "main.yaml"});
   CHECK(both.code == 0);
-  CHECK_THAT(both.out, Contains("top: 1 files of " + top) && Contains("rig: 1 files of " + shop.first));
+  CHECK_THAT(both.out, Contains("top: 1 file of " + top) && Contains("rig: 1 file of " + shop.first));
   CHECK(shop.run({"run", "main.yaml"}).code == 0);
 
   shop.folder.file("lib/doubler.yaml", replaced(doubler, "value: 2", "value: 5"));
