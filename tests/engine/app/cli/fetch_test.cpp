@@ -238,11 +238,11 @@ TEST_CASE("the parts of a fetched part are fetched, and two versions of one name
     return shop.commit("top");
   };
   const auto use = [&](const std::string& rev, const std::string& more) {
-    shop.folder.file("main.yaml", "stepwire: 1\nstep: 1 s\nstop: 1 s\nuses:\n  top: {git: top, rev: " + rev +
-                                      more +
-                                      "blocks:\n  one: {block: Constant, value: 3}\n"
-                                      "  four: {diagram: top/quadruple, x: one}\nrecord: [four.y]\n"
-                                      "claims:\n  - {that: four times, final: four.y, equals: 12}\n");
+    shop.folder.file("main.yaml",
+                     "stepwire: 1\nstep: 1 s\nstop: 1 s\nuses:\n  outer: {git: top, rev: " + rev + more +
+                         "blocks:\n  one: {block: Constant, value: 3}\n"
+                         "  four: {diagram: outer/quadruple, x: one}\nrecord: [four.y]\n"
+                         "claims:\n  - {that: four times, final: four.y, equals: 12}\n");
   };
   const std::string top = quadruple(shop.first, hash);
   use(top, "}\n");
@@ -251,7 +251,7 @@ TEST_CASE("the parts of a fetched part are fetched, and two versions of one name
   use(top, ", sha256: " + hash_of_top + "}\n");
   const Done both = shop.run({"fetch", "main.yaml"});
   CHECK(both.code == 0);
-  CHECK_THAT(both.out, Contains("top: 1 file of " + top) && Contains("rig: 1 file of " + shop.first));
+  CHECK_THAT(both.out, Contains("outer: 1 file of " + top) && Contains("rig: 1 file of " + shop.first));
   CHECK(shop.run({"run", "main.yaml"}).code == 0);
 
   shop.folder.file("lib/doubler.yaml", replaced(doubler, "value: 2", "value: 5"));

@@ -15,10 +15,11 @@ namespace fs = std::filesystem;
 //   [(b'B.txt', b''), (b'a.txt', b'one\n'), (b'a/b.txt', b'two\n'), (b'link', b'link:a/b.txt')])))"
 TEST_CASE("the hash of a folder is that of a sorted list of paths and hashes") {
   const Scratch folder;
+  fs::create_directories(folder.path("tree/empty"));
+  fs::create_directory(folder.path("tree/a"));
   folder.file("tree/a/b.txt", "two\n");
   folder.file("tree/a.txt", "one\n");
   folder.file("tree/B.txt", "");
-  fs::create_directory(folder.path("tree/empty"));
   fs::create_symlink("a/b.txt", folder.path("tree/link"));
   const auto hash = tree_hash(folder.path("tree"));
   CHECK(hash.files == 4);
