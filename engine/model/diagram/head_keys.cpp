@@ -149,6 +149,11 @@ HeadRow conflicts_row() {
           "what `stepwire merge` has left open: the file is refused until the section is removed", form};
 }
 
+HeadRow uses_row() {
+  return {"uses", "repositories of git, each at one commit, whose files are parts: diagram: rig/oscillator",
+          form::names(use_form(), 0, name_pattern)};
+}
+
 /// Returns the form of `events`: a word, or the options of their location.
 const yaml::Key& events_form() {
   static const yaml::Key words =
@@ -229,6 +234,7 @@ std::vector<HeadRow> run_rows() {
        "runs the file once for each person and condition, and scores and analyses these trials; beside a "
        "sweep, all of that at each of its points",
        form::section("study")},
+      uses_row(),
       conflicts_row()};
 }
 
@@ -266,8 +272,6 @@ const std::vector<HeadRow>& head_rows() {
          [](Diagram& diagram, const yaml::Node& node, const HeadReading& read) {
            reproduction_table().read(node, diagram.reproduces, read);
          }},
-        {"uses", "repositories of git, each at one commit, whose files are parts: diagram: rig/oscillator",
-         form::names(use_form(), 0, name_pattern)},
         {"parameters", "numbers and words with a name, used as $name; --set changes them",
          form::names(form::section("parameter"), 0, name_pattern)},
         {"inputs", "ports: what the file that uses this one as a part wires to it, or a program writes",

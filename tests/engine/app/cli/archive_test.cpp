@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 const fs::path archive = fs::path(STEPWIRE_SOURCE_DIR) / "tests" / "archive";
 
-/// Folders of versions, "1.0.0".
+/// Folders of versions, named by their numbers.
 std::vector<fs::path> versions() {
   std::vector<fs::path> folders;
   for (const fs::directory_entry& entry : fs::directory_iterator(archive))
