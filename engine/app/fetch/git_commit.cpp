@@ -63,7 +63,7 @@ class Repository {
  public:
   Repository(const std::string& url, const std::string& commit) {
     if (folder_.path().empty()) throw io::EnvironmentError("no temporary folder can be made");
-    checked(git({"init", "-q", "--bare", path()}), "git cannot make a repository");
+    checked(call({"init", "-q", "--bare"}), "git cannot make a repository");
     take(url, commit);
     refuse_tag(commit);
   }

@@ -120,6 +120,11 @@ TEST_CASE("only fetch connects to a repository, and other verbs name the call th
     CHECK(done.err == "main.yaml:6:3: uses.rig: rig at " + shop.first +
                           " is not fetched; `stepwire fetch main.yaml` fetches it\n");
   }
+  const Done in_hook = run_program(shop.folder, Call{{"fetch", "main.yaml"},
+                                                     {{"STEPWIRE_CACHE", shop.folder.path("other")},
+                                                      {"GIT_DIR", shop.folder.path("nowhere")}}});
+  CHECK(in_hook.code == 0);  // as called from a hook of git
+  CHECK_FALSE(fs::exists(shop.folder.path("nowhere")));
   CHECK(shop.run({"fetch"}).out == "rig: 1 file of " + shop.first + " from lib\n");
   CHECK(shop.run({"check", "main.yaml"}).code == 0);
 }
