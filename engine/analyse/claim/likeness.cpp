@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "engine/base/csv/read_record.hpp"
+#include "engine/base/data_file/recorded_run.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "engine/base/yaml/near_file.hpp"
 
@@ -59,15 +59,20 @@ void take_signals(Likeness& likeness, const yaml::Node& node, const query::Names
   if (faults.empty() && index.names().empty()) read.fault(node.mark, node.text + " has no signal");
 }
 
-/// Reads the file of a baseline. Adds a fault and returns false for an unreadable one.
+/// Reads the file of a baseline, or the folder of a run. Adds a fault and returns false for an unreadable
+/// one.
 bool take_table(const std::string& path, Likeness& likeness, const yaml::Node& node,
                 const query::NamesReading& read) {
   try {
-    table::RecordTable table = csv::read_record(path);
-    std::erase_if(table.columns,
-                  [&](const table::Column& column) { return table.problems.contains(column.name); });
-    for (const auto& [name, problem] : table.problems) read.fault(node.mark, problem);
-    likeness.tables.push_back(std::move(table));
+    for (table::RecordTable& table : data_file::read_recorded_run(path)) {
+      std::erase_if(table.columns, [&](const table::Column& column) {
+        return table.problems.contains(column.name) || table.words.contains(column.name);
+      });
+      for (const auto& [name, problem] : table.problems) read.fault(node.mark, problem);
+      for (const auto& [name, words] : table.words)
+        read.fault(node.mark, fmt::format("'{}' of {} has words; a baseline has numbers", name, path));
+      likeness.tables.push_back(std::move(table));
+    }
     return true;
   } catch (const std::exception& error) {
     read.fault(node.mark, error.what());
@@ -87,15 +92,11 @@ std::shared_ptr<Likeness> read_baseline(const yaml::Node& node, const query::Nam
   if (likeness->file.empty()) return nullptr;
   const std::string path =
       (fs::path(read.names.file).parent_path() / likeness->file).lexically_normal().string();
-  if (!fs::exists(path)) {
+  std::error_code none;
+  if (!fs::exists(path, none)) {
     read.fault(node.mark,
                fmt::format("there is no file {}{}; a run without this claim writes one: run --csv {}", path,
                            yaml::near_file(path).text(), path));
-    return nullptr;
-  }
-  if (fs::path(path).extension() != ".csv") {
-    read.fault(node.mark,
-               fmt::format("'{}' is no CSV file, as 'run --csv' writes it: baseline.csv", likeness->file));
     return nullptr;
   }
   if (!take_table(path, *likeness, node, read)) return nullptr;

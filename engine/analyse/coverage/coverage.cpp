@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "engine/analyse/coverage/chart_states.hpp"
+#include "engine/analyse/coverage/table_regions.hpp"
 #include "engine/base/expression/margin.hpp"
 #include "engine/model/plan/active.hpp"
 
@@ -96,6 +97,7 @@ class CoverageObserver::OfRun {
     for (const Guard& one : guards_) ++branch(one.condition, values[one.place] != 0.0 ? 0 : 1).ticks;
     for (Constant& one : constants_) count_constant(one, values);
     for (Machine& one : machines_) count_machine(one, values);
+    for (const Table& one : tables_) count_table(one, values);
   }
 
   /// Returns the conditions. A function that is never negative has its other branch at zero. One that is
@@ -141,6 +143,12 @@ class CoverageObserver::OfRun {
     std::optional<std::size_t> state{};
   };
 
+  struct Table {
+    std::size_t condition;
+    std::ptrdiff_t active;
+    TableRegions regions;
+  };
+
   Branch& branch(std::size_t condition, std::size_t index) {
     return coverage_.conditions[condition].branches[index];
   }
@@ -167,6 +175,7 @@ class CoverageObserver::OfRun {
     }
     if (Chart chart = chart_of(plan_.diagram.blocks[block]); !chart.states.empty())
       return add_machine(block, active, std::move(chart));
+    if (type.parameter("extrapolation")) add_table(simulation, block, active);
     if (type.steady) add_constants(block, active);
     const bool skips = planned.configuration && planned.configuration->skips_crossings;
     if (type.run_crossings && !skips)
@@ -181,6 +190,14 @@ class CoverageObserver::OfRun {
       add(block, fmt::format("the transition {} to {}", chart.states[arrow.from], chart.states[arrow.to]),
           {"taken"});
     machines_.push_back({plan_.blocks[block].outputs[output].offset, condition, active, std::move(chart)});
+  }
+
+  void add_table(run::Executor& simulation, std::size_t block, std::ptrdiff_t active) {
+    const diagram::Diagram present = simulation.diagram();  // a sweep may change points
+    auto regions = TableRegions::of(present.blocks[block], plan_.blocks[block]);
+    if (!regions) return;
+    const std::size_t condition = add(block, "the table", regions->names());
+    tables_.push_back({condition, active, std::move(*regions)});
   }
 
   void add_constants(std::size_t block, std::ptrdiff_t active) {
@@ -251,6 +268,11 @@ class CoverageObserver::OfRun {
     one.state = state;
   }
 
+  void count_table(const Table& one, const double* values) {
+    if (is_off(one.active, values)) return;
+    for (const std::size_t region : one.regions.at(values)) ++branch(one.condition, region).ticks;
+  }
+
   /// Counts the transitions between two states. Those with the same ends are counted together.
   void count_arrows(const Machine& one, std::size_t from, std::size_t to) {
     for (std::size_t a = 0; a < one.chart.arrows.size(); ++a) {
@@ -266,6 +288,7 @@ class CoverageObserver::OfRun {
   std::vector<Guard> guards_;
   std::vector<Constant> constants_;
   std::vector<Machine> machines_;
+  std::vector<Table> tables_;
 };
 
 CoverageObserver::CoverageObserver() = default;
@@ -318,7 +341,7 @@ void Coverage::add(const Coverage& other) {
   for (const Condition& one : other.conditions) {
     const auto known = std::ranges::find_if(conditions, [&](const Condition& condition) {
       return condition.block == one.block && condition.what == one.what &&
-             condition.branches.size() == one.branches.size();
+             std::ranges::equal(condition.branches, one.branches, {}, &Branch::name, &Branch::name);
     });
     if (known == conditions.end()) {
       conditions.push_back(one);

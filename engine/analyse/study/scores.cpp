@@ -15,6 +15,7 @@
 #include "engine/base/csv/cell.hpp"
 #include "engine/base/csv/decimal_survey.hpp"
 #include "engine/base/csv/read_record.hpp"
+#include "engine/base/io/environment_error.hpp"
 #include "engine/base/table/csv_cell.hpp"
 #include "engine/base/table/csv_lines.hpp"
 #include "engine/base/table/table_file.hpp"
@@ -34,11 +35,18 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// Reads the cells of a table. Throws TableError, also for a missing file.
+auto read_texts(const std::string& path) try {
+  return csv::read_texts(path);
+} catch (const io::EnvironmentError& error) {
+  throw table::TableError(error.what());
+}
+
 /// Reads the columns that a request names.
 class ScoreReader {
  public:
   ScoreReader(const std::string& path, ScoresRequest& request)
-      : path_(path), request_(request), table_(csv::read_texts(path)) {
+      : path_(path), request_(request), table_(read_texts(path)) {
     for (const table::Column& column : table_.columns)
       if (!column.name.empty()) names_.push_back(column.name);
     complete();

@@ -13,6 +13,7 @@
 #include "engine/app/report/comparison_text.hpp"
 #include "engine/app/session/fault_json.hpp"
 #include "engine/base/io/file.hpp"
+#include "engine/base/table/table_file.hpp"
 #include "engine/view/render/picture_kind.hpp"
 
 namespace stepwire::cli {
@@ -144,8 +145,15 @@ ExitCode diff_revisions(const DiffCall& call, const Registry& registry) {
   }
 }
 
+/// Returns the text of a file that the call names. Throws TableError for an unreadable one.
+std::string text_of_file(const std::string& file) try {
+  return io::read_file(file);
+} catch (const io::EnvironmentError& error) {
+  throw table::TableError(error.what());
+}
+
 std::string text_of_side(const std::string& file) {
-  return file == "/dev/null" ? "" : io::read_file(file);
+  return file == "/dev/null" ? "" : text_of_file(file);
 }
 
 /// Compares the two temporary files of git. Parts beside the path are those of the working tree.
@@ -172,15 +180,16 @@ ExitCode diff_of_git(const DiffCall& call, const Registry& registry) {
 }
 
 ExitCode print_facts(const std::string& file, const Registry& registry) {
+  const std::string text = text_of_file(file);
   try {
-    if (!difference::is_diagram(file, io::read_file(file))) throw wrong_call("is no diagram");
+    if (!difference::is_diagram(file, text)) throw wrong_call("is no diagram");
     Texts texts;
     FactReader reader(registry, texts);
     const difference::FileFacts facts = reader.read(file);
     put_data(difference::facts_text(facts.root) +
              difference::orders_text(difference::orders_of(facts.source->document.root)));
   } catch (const yaml::Error&) {
-    put_data(io::read_file(file));
+    put_data(text);
   }
   return ExitCode::done;
 }

@@ -1,6 +1,7 @@
 #include "engine/app/cli/exit_code.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 #include <string_view>
@@ -44,6 +45,16 @@ void print_faults(const run::RunResult& result) {
     complain("and {} more runs of the sweep ended early\n", faults.size() - max_shown);
 }
 
+/// Returns the code and the text of an exception that no fault of a diagram is. A symbolic link that leads to
+/// itself is a bad file of the user.
+static std::pair<ExitCode, std::string> described(const std::exception& error) {
+  const auto* of_file = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
+  if (!of_file || of_file->code() != std::errc::too_many_symbolic_link_levels)
+    return {ExitCode::surroundings, error.what()};
+  return {ExitCode::wrong,
+          text::visible(of_file->path1().string()) + ": is a symbolic link that leads to itself"};
+}
+
 ExitCode guarded(const std::function<ExitCode()>& action, json::Json* faults) {
   const auto refused = [&](std::string_view why, ExitCode code) {
     complain("{}\n", why);
@@ -67,7 +78,8 @@ ExitCode guarded(const std::function<ExitCode()>& action, json::Json* faults) {
         "there is not enough memory for this run; record fewer signals or give 'record' an 'every'",
         ExitCode::surroundings);
   } catch (const std::exception& error) {  // EnvironmentError, std::system_error and others
-    return refused(error.what(), ExitCode::surroundings);
+    const auto [code, why] = described(error);
+    return refused(why, code);
   }
 }
 

@@ -31,6 +31,19 @@ std::string joined(const std::string& path, const std::string& key) {
   return path.empty() ? key : key.empty() ? path : path + "." + key;
 }
 
+/// Returns the names of a section: of blocks with their types, of parameters with their values.
+std::string content_of(const Fact& section) {
+  std::vector<std::string> names;
+  for (const Fact& item : section.parts) {
+    const Fact* value = item.find("value");
+    const std::string more = section.key == "blocks"       ? type_of(item)
+                             : section.key == "parameters" ? (value ? value->written : item.written)
+                                                           : "";
+    names.push_back(unmarked(item.key) + (more.empty() ? "" : " (" + unmarked(more) + ")"));
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 }  // namespace
 
 /// Comparison of one pair of files.
@@ -75,7 +88,8 @@ class Comparer::OfFiles {
     const Orders before = orders_of(before_.source->document.root, renamed),
                  after = orders_of(after_.source->document.root);
     for (const ChangedOrder& one : changed_orders(before, after))
-      changes_.push_back({.section = "order", .name = "order of " + one.place, .from = one.before, .to = one.after});
+      changes_.push_back(
+          {.section = "order", .name = "order of " + one.place, .from = one.before, .to = one.after});
   }
 
   /// Shows canonical texts where two files write a value alike and mean different things.
@@ -139,6 +153,24 @@ class Comparer::OfFiles {
             home_in_part(block, old_blocks, comparer_.before_texts_, comparer_.before_, before_.file))
       return moved(block, *home, unmarked(block.key), nullptr, &block);
     add(Kind::added, "blocks", block.key, nullptr, &block);
+    content_of_part(block);
+  }
+
+  /// Adds a line for each section of a part that is new: names with types or values.
+  void content_of_part(const Fact& block) {
+    const Fact* path = block.find("diagram");
+    if (!path || block.find("block")) return;
+    const std::string file = comparer_.after_texts_.part_path(after_.file, path->canonical);
+    if (!comparer_.after_texts_.find(file)) return;
+    const Fact root = comparer_.after_.read(file).root;
+    for (const char* key : {"blocks", "parameters", "inputs", "outputs"}) {
+      const Fact* section = root.find(key);
+      if (!section || section->parts.empty()) continue;
+      Change change{.kind = Kind::added, .section = "new parts", .name = unmarked(block.key) + "." + key};
+      change.to = content_of(*section);
+      change.after = block.mark;
+      changes_.push_back(std::move(change));
+    }
   }
 
   void gone_block(const Fact& block, const Fact& new_blocks) {

@@ -1,6 +1,7 @@
 #include "engine/app/difference/difference_picture.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "engine/app/difference/difference_text.hpp"
 #include "engine/view/drawing/draw.hpp"
@@ -34,17 +35,22 @@ std::vector<std::string> changed_parts(const Difference& difference, const std::
   return names;
 }
 
-/// Returns a line for each change. Those that the drawing does not show begin with their section.
-std::vector<std::string> lines_of(const Difference& difference) {
-  std::vector<std::string> lines;
-  for (const FileDifference& file : difference.files)
+/// Returns a line for each change, and a heading above those of a part. Lines of what the drawing does not
+/// show begin with their section.
+Json lines_of(const Difference& difference, const std::string& drawn_file) {
+  Json lines = Json::list();
+  for (const FileDifference& file : difference.files) {
+    if (file.after != drawn_file)
+      lines.push(Json::object().set("heading",
+                                    "in the part " + std::filesystem::path(file.after).filename().string()));
     for (const Change& change : file.changes) {
       const bool is_drawn =
           change.section == "blocks" || change.section == "wires" || change.section == "values";
       std::string line = line_of(change);
       if (!is_drawn) line.insert(2, change.section + " ");
-      lines.push_back(std::move(line));
+      lines.push(std::move(line));
     }
+  }
   return lines;
 }
 
@@ -64,7 +70,7 @@ std::string difference_picture(const Registry& registry, const std::string& befo
   Json compared = Json::object();
   compared.set("before", graph_of(registry, before)).set("after", graph_of(registry, after));
   compared.set("names", std::move(names)).set("changed", Json::list_of(changed));
-  compared.set("lines", Json::list_of(lines_of(difference)));
+  compared.set("lines", lines_of(difference, after));
   return drawing::draw_picture(Json::object().set("compared", std::move(compared)));
 }
 

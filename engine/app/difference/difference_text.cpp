@@ -21,6 +21,16 @@ std::string shortened(const std::string& value) {
   return value.substr(0, end) + " ...";
 }
 
+/// Removes the equal beginning of two long texts up to a word, so that a line has what differs.
+void remove_equal_beginning(std::string& from, std::string& to) {
+  if (std::max(from.size(), to.size()) <= longest_value) return;
+  const auto differs = std::ranges::mismatch(from, to).in1;
+  const std::size_t word = from.rfind(' ', static_cast<std::size_t>(differs - from.begin()));
+  if (word == std::string::npos || word < longest_value / 2 || word >= to.size()) return;
+  from = "..." + from.substr(word);
+  to = "..." + to.substr(word);
+}
+
 /// Returns the name and its value, which are often one for an item of a list.
 std::string named_value(const std::string& name, const std::string& value) {
   return name == value || name.empty() ? shortened(value) : fmt::format("{}: {}", name, shortened(value));
@@ -86,7 +96,9 @@ std::string line_of(const Change& change) {
       break;
   }
   const std::string ratio = change.ratio ? fmt::format(" ({:.4g} times)", *change.ratio) : "";
-  return fmt::format("~ {}: {} -> {}{}", change.name, shortened(change.from), shortened(change.to), ratio);
+  std::string from = change.from, to = change.to;
+  remove_equal_beginning(from, to);
+  return fmt::format("~ {}: {} -> {}{}", change.name, shortened(from), shortened(to), ratio);
 }
 
 std::string text_of(const Difference& difference) {

@@ -212,6 +212,7 @@ class Merge {
     FactEdits edits(*ours_.facts.source, *theirs_.facts.source);
     const Fact wanted = merged_facts(edits, merged.conflicts);
     note_missing(wanted, merged.conflicts);
+    note_elements(merged.conflicts);
     const auto by_lines = merged.conflicts.empty() ? text_by_lines(wanted, base, ours, theirs) : std::nullopt;
     merged.text = by_lines ? *by_lines : edits.text();
     require_meaning(wanted, merged.text);
@@ -307,6 +308,56 @@ class Merge {
         if (!defined || !defined->find(name)) missing.insert(name);
       for (const std::string& name : missing) conflicts.push_back(conflict_of(section, name));
     }
+  }
+
+  /// Adds a conflict for each element of a joined vector, such as v.2 of a Mux, that one side names anew
+  /// while the other one exchanges what is joined. The number of the element is then that of another signal.
+  void note_elements(std::vector<Conflict>& conflicts) const {
+    const Fact* blocks = base_.facts.root.find("blocks");
+    for (std::size_t i = 0; blocks && i < blocks->parts.size(); ++i) {
+      const std::string name = unmarked(blocks->parts[i].key), type = type_of(blocks->parts[i]);
+      if (type != "Mux" && type != "Concatenate" && type != "Stack") continue;
+      note_elements_of(name, ours_, theirs_, conflicts);
+      note_elements_of(name, theirs_, ours_, conflicts);
+    }
+  }
+
+  void note_elements_of(const std::string& name, const Side& joining, const Side& naming,
+                        std::vector<Conflict>& conflicts) const {
+    const std::string base = canonical_of(inputs_of(base_, name));
+    const std::string joined = canonical_of(inputs_of(joining, name));
+    if (joined == base || joined == canonical_of(inputs_of(naming, name))) return;
+    const auto written = [&](const Side& side) {
+      const Fact* inputs = inputs_of(side, name);
+      return inputs ? inputs->written : "removed";
+    };
+    const std::set<std::string> known = elements_in(base_.facts.root.canonical, name);
+    for (const std::string& element : elements_in(naming.facts.root.canonical, name))
+      if (!known.contains(element))
+        conflicts.push_back({element, written(base_), written(ours_), written(theirs_)});
+  }
+
+  /// Returns the list of wires of a block; nullptr without one.
+  static const Fact* inputs_of(const Side& side, const std::string& name) {
+    const Fact* blocks = side.facts.root.find("blocks");
+    const Fact* block = blocks ? blocks->find(name) : nullptr;
+    for (std::size_t i = 0; block && i < block->parts.size(); ++i)
+      if (block->parts[i].is_wire) return &block->parts[i];
+    return nullptr;
+  }
+
+  /// Returns the elements of a block in a canonical text: "v.2", and "v.y.2" where its output is named.
+  static std::set<std::string> elements_in(const std::string& canonical, const std::string& name) {
+    const std::string mark = marked(NameKind::block, name);
+    std::set<std::string> elements;
+    for (std::size_t at = canonical.find(mark); at != std::string::npos; at = canonical.find(mark, at + 1)) {
+      const std::size_t begin = at + mark.size();
+      const std::size_t end = canonical.find_first_not_of(
+          "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_.0123456789", begin);
+      const std::string rest = canonical.substr(begin, end - begin);
+      if (rest.find_first_of("0123456789") != std::string::npos) elements.insert(name + rest);
+    }
+    return elements;
   }
 
   Conflict conflict_of(const std::string& section, const std::string& name) const {

@@ -34,7 +34,10 @@ Texts Texts::with(const std::string& path, std::string text) const {
   return other;
 }
 
-std::string Texts::part_path(const std::string& user, const std::string& part) const {
+std::string Texts::part_path(const std::string& user, const std::string& part) {
+  const DiagramText* text = find(user);
+  if (const auto use = text ? diagram::use_of(text->document.root, part) : std::nullopt)
+    return fetched_.problem(*use, user).empty() ? diagram::fetched_file(*use, part) : "";
   const std::string beside = (std::filesystem::path(user).parent_path() / part).lexically_normal().string();
   return texts_.contains(beside) ? beside : diagram::part_file(user, part);
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/base/yaml/document.hpp"
+#include "engine/model/diagram/uses.hpp"
 
 namespace stepwire::difference {
 
@@ -25,11 +26,12 @@ class Texts {
   const DiagramText* find(const std::string& path);
   /// Returns these texts with another text of one file.
   Texts with(const std::string& path, std::string text) const;
-  /// Returns the path of a part that a file names.
-  std::string part_path(const std::string& user, const std::string& part) const;
+  /// Returns the path of a part that a file names; empty for one of files that are not fetched.
+  std::string part_path(const std::string& user, const std::string& part);
 
  private:
   std::map<std::string, std::shared_ptr<const DiagramText>> texts_;
+  diagram::FetchedTrees fetched_;
 };
 
 }  // namespace stepwire::difference

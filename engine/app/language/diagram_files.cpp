@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engine/model/diagram/output_names.hpp"
+#include "engine/model/diagram/uses.hpp"
 
 namespace stepwire::language {
 
@@ -45,7 +46,7 @@ std::string_view first_piece(std::string_view name) {
 }  // namespace
 
 Forms& DiagramFiles::forms(const std::string& file) {
-  forms_.look_for_parts([this, file](const std::string& path) { return tree(beside(file, path)); });
+  forms_.look_for_parts([this, file](const std::string& path) { return tree(path_of_part(file, path)); });
   return forms_;
 }
 
@@ -57,10 +58,16 @@ const yaml::Entry* DiagramFiles::entry(const yaml::Document& document, const cha
   return found == map->entries.end() ? nullptr : &*found;
 }
 
+std::string DiagramFiles::path_of_part(const std::string& user, const std::string& path) {
+  const auto document = tree(user);
+  const auto use = document ? diagram::use_of(document->root, path) : std::nullopt;
+  return use ? diagram::fetched_file(*use, path) : beside(user, path);
+}
+
 std::string DiagramFiles::part_file(const std::string& user, const yaml::Entry& block) {
   const yaml::Node* path =
       block.value.is_map() && !block.value.find("block") ? block.value.find("diagram") : nullptr;
-  return path && path->is_scalar() ? beside(user, path->text) : "";
+  return path && path->is_scalar() ? path_of_part(user, path->text) : "";
 }
 
 const yaml::Entry* DiagramFiles::block_at_start(const yaml::Document& document, std::string_view reference) {

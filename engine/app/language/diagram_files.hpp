@@ -69,7 +69,7 @@ class DiagramFiles {
   static const yaml::Entry* entry(const yaml::Document& document, const char* section,
                                   const std::string& name);
   /// Returns the file of a part that a block entry uses; empty if the entry is no part.
-  static std::string part_file(const std::string& user, const yaml::Entry& block);
+  std::string part_file(const std::string& user, const yaml::Entry& block);
   /// Returns the block whose name is a prefix of the reference, or nullptr. Names of blocks can contain dots.
   static const yaml::Entry* block_at_start(const yaml::Document& document, std::string_view reference);
   /// Returns the outputs of a block or part; empty for an unknown type.
@@ -78,6 +78,8 @@ class DiagramFiles {
   bool has_one_output(const std::string& file, const yaml::Entry& block);
 
  private:
+  /// Returns the path of a part that a file names.
+  std::string path_of_part(const std::string& user, const std::string& path);
   struct NamesOf {
     std::shared_ptr<const yaml::Document> document;
     std::vector<WrittenName> names;

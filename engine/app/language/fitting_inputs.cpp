@@ -48,7 +48,7 @@ class Inputs {
   }
 
   void add_block(const yaml::Entry& block) {
-    if (const std::string path = DiagramFiles::part_file(file_, block); !path.empty()) {
+    if (const std::string path = files_.part_file(file_, block); !path.empty()) {
       const auto part = files_.tree(path);
       const yaml::Node* inputs = part ? part->root.find("inputs") : nullptr;
       for (std::size_t i = 0; inputs && i < inputs->entries.size(); ++i)

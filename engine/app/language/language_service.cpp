@@ -240,7 +240,7 @@ class Hovering {
   }
 
   std::string of_part(const std::string& user, const yaml::Entry& entry) {
-    const std::string path = DiagramFiles::part_file(user, entry);
+    const std::string path = files_.part_file(user, entry);
     const auto part = path.empty() ? nullptr : files_.tree(path);
     const yaml::Node* title = part ? part->root.find("title") : nullptr;
     return "part" + (title ? ", " + reference::escaped(title->text) : "");
@@ -317,7 +317,7 @@ class Shapes {
       for (std::size_t i = 0; i < key.value.items.size(); ++i)
         add(name + "." + key.key + "." + std::to_string(i + 1), file, places.range(key.value.items[i]));
     }
-    if (const std::string part = DiagramFiles::part_file(file, block); !part.empty())
+    if (const std::string part = files_.part_file(file, block); !part.empty())
       add_file(part, name + ".", depth + 1);
   }
 
@@ -511,7 +511,7 @@ std::optional<EditorPlace> LanguageService::definition(const std::string& file, 
       name && name->sense == WrittenName::Sense::file) {
     const auto tree = files_.tree(file);
     const yaml::Entry* block = tree ? DiagramFiles::entry(*tree, "blocks", name->block) : nullptr;
-    const std::string part = block ? DiagramFiles::part_file(file, *block) : "";
+    const std::string part = block ? files_.part_file(file, *block) : "";
     if (!part.empty()) return EditorPlace{part, {}};
   }
   const auto piece = files_.piece_at(file, place);

@@ -69,7 +69,7 @@ void add_parts(const Analysis& analysis, DiagramFiles& files, const std::string&
   if (!blocks) return;
   const auto& ports = analysis.draft->diagram.part_ports;
   for (const yaml::Entry& entry : blocks->entries) {
-    const std::string path = DiagramFiles::part_file(file, entry);
+    const std::string path = files.part_file(file, entry);
     const auto part = path.empty() ? nullptr : files.tree(path);
     const yaml::Node* outputs = part ? part->root.find("outputs") : nullptr;
     for (std::size_t i = 0; outputs && i < outputs->entries.size(); ++i) {

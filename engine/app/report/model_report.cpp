@@ -9,6 +9,7 @@
 #include "engine/analyse/coverage/coverage.hpp"
 #include "engine/app/report/coverage_picture.hpp"
 #include "engine/app/session/version.hpp"
+#include "engine/model/diagram/uses.hpp"
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/subprocess/process.hpp"
@@ -89,6 +90,8 @@ gallery::ReportTable version_table(const session::LoadedModel& model) {
                 {"solver", model.job.plan.diagram.solver},
                 {"stepwire", session::program_version()},
                 {"compiler", session::compiler_version()}};
+  for (const diagram::Use& use : diagram::used_repositories(model.job.plan.diagram))
+    table.rows.push_back({"parts of " + use.name, fmt::format("{} at {}", use.git, use.rev)});
   return table;
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/app/session/sweep_sections.hpp"
 #include "engine/app/session/version.hpp"
+#include "engine/model/diagram/uses.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
 namespace stepwire::session {
@@ -76,6 +77,9 @@ void declare(Record<AlgebraicLoop>& is) {
       "time of the first of them", "s");
 }
 
+/// Repository of git whose files are parts.
+struct RunRepository : diagram::Use {};
+
 /// Axis of a sweep. Words are in the order in which a MAT file numbers them from 0.
 struct AxisValues {
   std::string parameter;
@@ -110,6 +114,14 @@ static void declare(Record<AxisValues>& is) {
   is.field("parameter", &AxisValues::parameter, "swept parameter");
   is.field("count", &AxisValues::count, "number of values");
   is.field("values", &AxisValues::values, "values; empty for more than 10,000, which sweep.csv has");
+}
+
+static void declare(Record<RunRepository>& is) {
+  is.named("UsedRepository", "A repository whose files are parts: an entry of `uses`.");
+  is.field("name", &RunRepository::name, "name in the file");
+  is.field("git", &RunRepository::git, "address");
+  is.field("rev", &RunRepository::rev, "commit");
+  is.field("sha256", &RunRepository::sha256, "hash of its files");
 }
 
 static void declare(Record<RunParameter>& is) {
@@ -241,6 +253,9 @@ void add_head(Record<RunReport>& is) {
   is.field("file", result::path(&RunReport::model, &LoadedModel::file), "diagram file");
   is.field("title", result::path(diagram_of, &Diagram::title), "title");
   is.field("hash", result::path(&RunReport::model, &LoadedModel::hash), "hash of the diagram and its data");
+  is.field(
+      "uses", [](const RunReport& of) { return result::as<RunRepository>(diagram::used_repositories(diagram_of(of))); },
+      "repositories whose files are parts");
   is.field(
       "parameters", [](const RunReport& of) { return result::as<RunParameter>(diagram_of(of).parameters); },
       "parameters of the file");

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/model/diagram/uses.hpp"
+
 namespace stepwire::diagram {
 
 using yaml::form;
@@ -147,6 +149,11 @@ HeadRow conflicts_row() {
           "what `stepwire merge` has left open: the file is refused until the section is removed", form};
 }
 
+HeadRow uses_row() {
+  return {"uses", "repositories of git, each at one commit, whose files are parts: diagram: rig/oscillator",
+          form::names(use_form(), 0, name_pattern)};
+}
+
 /// Returns the form of `events`: a word, or the options of their location.
 const yaml::Key& events_form() {
   static const yaml::Key words =
@@ -227,6 +234,7 @@ std::vector<HeadRow> run_rows() {
        "runs the file once for each person and condition, and scores and analyses these trials; beside a "
        "sweep, all of that at each of its points",
        form::section("study")},
+      uses_row(),
       conflicts_row()};
 }
 

@@ -88,6 +88,7 @@ yaml::Node with_named_parameters(const ParameterSpec& spec, const BlockType& typ
 void Opener::open(Scope& scope, const Overrides& overrides) {
   const yaml::Node& root = scope.document->root;
   open_files_.push_back(std::filesystem::path(scope.document->file).lexically_normal().string());
+  read_uses(scope);
   declare_ports(scope);
   define_parameters(scope, overrides, settings_, report_);
   if (!scope.parent) make_inputs(scope);

@@ -10,6 +10,7 @@
 #include "engine/model/diagram/load.hpp"
 #include "engine/model/diagram/report.hpp"
 #include "engine/model/diagram/scope.hpp"
+#include "engine/model/diagram/uses.hpp"
 
 namespace stepwire::diagram {
 
@@ -57,6 +58,12 @@ class Opener {
   std::optional<std::pair<Eigen::Index, Eigen::Index>> declared_shape(const Scope& scope,
                                                                       const yaml::Entry& port);
   void open_part(Scope& scope, const yaml::Entry& entry, const yaml::Node& path);
+  /// Checks the section `uses` of a file, once for each file.
+  void read_uses(const Scope& scope);
+  bool read_use(const Scope& scope, const Use& use);
+  /// Refuses a part of unusable fetched files, and one outside of the fetched files of its user.
+  bool refuse_fetched(Scope& scope, const yaml::Entry& entry, const yaml::Node& path,
+                      const std::string& file);
   bool refuse_nesting(Scope& scope, const yaml::Entry& entry, const yaml::Node& path,
                       const std::string& file);
   /// Reads the part's file; adds a fault and returns false if that fails.
@@ -115,6 +122,14 @@ class Opener {
   std::vector<Within> within_;
   std::deque<yaml::Node> made_;     ///< sources of hidden blocks
   std::deque<yaml::Node> written_;  ///< sources of the fields of buses at inputs
+  struct KnownUse {
+    Use use;
+    Origin origin;
+    bool usable;
+  };
+  std::map<std::string, KnownUse> uses_;  ///< by name
+  std::set<const yaml::Document*> with_uses_read_;
+  FetchedTrees fetched_;
   std::vector<std::string> open_files_;
   std::vector<std::string> block_words_;  ///< lists of names given to the block under construction
 };

@@ -194,8 +194,8 @@ bool Opener::refuse_nesting(Scope& scope, const yaml::Entry& entry, const yaml::
 
 void Opener::open_part(Scope& scope, const yaml::Entry& entry, const yaml::Node& path) {
   if (!path.is_scalar()) return fail(scope, entry, path.mark, "'diagram:' names a file, as parts/rig.yaml");
-  const std::string file = part_file(scope.document->file, path.text);
-  if (refuse_nesting(scope, entry, path, file)) return;
+  const std::string file = part_file(*scope.document, path.text);
+  if (refuse_fetched(scope, entry, path, file) || refuse_nesting(scope, entry, path, file)) return;
   auto named = scope_of_part(scope, entry, scope.at(path.mark), file, report_.diagram());
   Scope& part = *named;
   if (!read_part(scope, entry, path, part)) return;
@@ -221,12 +221,13 @@ namespace {
 
 /// Returns the message about a part that cannot be read: for a missing file with the searched folders and the
 /// nearest name.
-yaml::Message unread_part(const std::string& user, const std::string& path, const std::string& file,
+yaml::Message unread_part(const yaml::Document& user, const std::string& path, const std::string& file,
                           const yaml::Message& fault) {
   std::error_code none;
   if (std::filesystem::exists(file, none)) return path + ": " + fault;
   const yaml::Message cure = near_part(user, path);
-  return yaml::Message(path + ": " + fault.wrong + other_part_places(path), cure.cure, cure.suggestion);
+  return yaml::Message(path + ": " + fault.wrong + (use_of(user.root, path) ? "" : other_part_places(path)),
+                       cure.cure, cure.suggestion);
 }
 
 }  // namespace
@@ -242,7 +243,7 @@ bool Opener::read_part(Scope& scope, const yaml::Entry& entry, const yaml::Node&
         report_.add(part.at(fault.place.mark), scope.prefix + entry.key, fault.message);
       } else {
         report_.add(scope.at(path.mark), scope.prefix + entry.key,
-                    unread_part(scope.document->file, path.text, file, fault.message));
+                    unread_part(*scope.document, path.text, file, fault.message));
       }
     return false;
   }

@@ -8,6 +8,7 @@
 
 #include "engine/base/io/resources.hpp"
 #include "engine/base/yaml/near_file.hpp"
+#include "engine/model/diagram/uses.hpp"
 
 namespace stepwire::diagram {
 
@@ -63,6 +64,23 @@ std::string part_file(const std::string& user, const std::string& path) {
     if (const fs::path file = fs::path(folder) / path; is_there(file))
       return file.lexically_normal().string();
   return beside.string();
+}
+
+std::string part_file(const yaml::Document& user, const std::string& path) {
+  const auto use = use_of(user.root, path);
+  return use ? fetched_file(*use, path) : part_file(user.file, path);
+}
+
+yaml::Message near_part(const yaml::Document& user, const std::string& path) {
+  const auto use = use_of(user.root, path);
+  if (!use) return near_part(user.file, path);
+  const fs::path part(path);
+  const std::string ending = part.extension().string(), prefix = part.parent_path().string() + "/";
+  const fs::path folder = fs::path(fetched_file(*use, path)).parent_path();
+  std::vector<std::string> names = yaml::files_of(folder.string(), ".yaml", prefix);
+  if (ending.empty())
+    for (std::string& name : names) name.resize(name.size() - std::string(".yaml").size());
+  return yaml::did_you_mean(path, names);
 }
 
 yaml::Message near_part(const std::string& user, const std::string& path) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/yaml/document.hpp"
 #include "engine/base/yaml/error.hpp"
 
 namespace stepwire::diagram {
@@ -13,12 +14,18 @@ namespace stepwire::diagram {
 /// using file.
 std::string part_file(const std::string& user, const std::string& path);
 
+/// Returns the file of a part that a document names. A path that begins with a name of its section `uses` is
+/// a file of the cache of fetched parts, which may be missing.
+std::string part_file(const yaml::Document& user, const std::string& path);
+
 /// Returns the folders of STEPWIRE_PARTS in their order.
 std::vector<std::string> part_folders();
 
 /// Returns "did you mean 'stepwire/oscillator'?" with the nearest name among the parts beside the using file,
 /// those that come with the program, and those in the folders of STEPWIRE_PARTS.
 yaml::Message near_part(const std::string& user, const std::string& path);
+/// Returns the same for a path that may begin with a name of the section `uses`.
+yaml::Message near_part(const yaml::Document& user, const std::string& path);
 
 /// Returns the other searched locations, as the end of a message.
 std::string other_part_places(const std::string& path);

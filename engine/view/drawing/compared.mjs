@@ -12,7 +12,8 @@ export const looks = {
   changed: {color: "#8e4585", sign: "~", word: "changed", stroke: `stroke-width="1.8"`},
 };
 
-const sizeOfLine = 12, stepOfLine = 17, mostLines = 40, longestLine = 115, leastWidth = 620;
+const sizeOfLine = 12, stepOfLine = 17, mostLines = 40, longestLine = 105, leastWidth = 620;
+const indent = "\u00a0".repeat(4);  // blanks at the beginning of a text of SVG are left out
 
 /** Name of an end of a wire under the new names of blocks. */
 const renamedEnd = (end, names) => (end.node ? {...end, node: names[end.node] ?? end.node} : end);
@@ -39,12 +40,18 @@ function withGone(nodes, gone, order) {
   return all;
 }
 
+/** Ends of the wires that begin at a number. */
+const fedByNumber = (wires) => new Set(wires.filter(({from}) => from.constant !== undefined).map(({to}) => endText(to)));
+
+/** A number with another value at the same input is one changed wire. */
 function unitedWires(before, after) {
   const old = new Set(before.map(keyOf)), now = new Set(after.map(keyOf));
-  const isConstant = new Set(after.filter(({from}) => from.constant !== undefined).map(({to}) => endText(to)));
-  const gone = before.filter((wire) => !now.has(keyOf(wire)) && !(wire.from.constant !== undefined && isConstant.has(endText(wire.to))));
+  const hadNumber = fedByNumber(before), hasNumber = fedByNumber(after);
+  const isOtherNumber = ({from, to}, others) => from.constant !== undefined && others.has(endText(to));
+  const gone = before.filter((wire) => !now.has(keyOf(wire)) && !isOtherNumber(wire, hasNumber));
+  const changeOf = (wire) => (isOtherNumber(wire, hadNumber) ? "changed" : "added");
   return [
-    ...after.map((wire) => (old.has(keyOf(wire)) ? wire : {...wire, change: "added"})),
+    ...after.map((wire) => (old.has(keyOf(wire)) ? wire : {...wire, change: changeOf(wire)})),
     ...gone.map((wire) => ({...wire, change: "removed"})),
   ];
 }
@@ -120,22 +127,38 @@ function legend(y) {
   }).join("");
 }
 
-const shortened = (line) => (line.length > longestLine ? `${line.slice(0, longestLine - 1)}…` : line);
+/** A line in pieces of a length that can be read, cut between words where there are some. */
+function wrapped(line) {
+  const pieces = [];
+  let rest = line;
+  for (let length = longestLine; rest.length > length; length = longestLine - indent.length) {
+    const blank = rest.lastIndexOf(" ", length), end = blank > length / 2 ? blank : length;
+    pieces.push(rest.slice(0, end));
+    rest = rest.slice(end).trimStart();
+  }
+  return [...pieces, rest].map((piece, i) => (i === 0 ? piece : indent + piece));
+}
+
 const colorOfLine = (line) => Object.values(looks).find(({sign}) => line.startsWith(sign === "−" ? "-" : sign))?.color ?? ink;
 
-function listed(lines, top) {
-  const shown = lines.length > mostLines ? [...lines.slice(0, mostLines), `… and ${lines.length - mostLines} more`] : lines;
-  return shown.map((line, i) => text(20, top + i * stepOfLine, shortened(line), {size: sizeOfLine, anchor: "start", fill: colorOfLine(line)}));
+/** The lines below the drawing with their looks: headings bold, changes in their colour, long ones in pieces. */
+function listed(lines) {
+  const all = lines.flatMap((line) => (line.heading
+    ? [{line: line.heading, style: ` font-weight="bold"`}]
+    : wrapped(line).map((piece) => ({line: piece, fill: colorOfLine(line)}))));
+  return all.length > mostLines ? [...all.slice(0, mostLines), {line: `… and ${all.length - mostLines} more lines`}] : all;
 }
+
+const drawnLine = ({line, fill = ink, style = ""}, y) => text(20, y, line, {size: sizeOfLine, anchor: "start", fill, style});
 
 /** The picture of two versions as the text of an SVG file: the drawing, a legend, and the changes in words. */
 export async function drawCompared(compared, elk) {
   const picture = await arrange(united(compared), elk);
   picture.wires.sort((a, b) => Number(Boolean(a.change)) - Number(Boolean(b.change)));  // what stayed is drawn whole
   const pieces = piecesOf(picture), stayed = picture.wires.filter(({change}) => !change).flatMap(({points}) => segmentsOf(points));
-  const lines = compared.lines ?? [], left = Math.max(0, (leastWidth - picture.width) / 2);
-  const below = picture.height + 24, height = below + 30 + Math.min(lines.length, mostLines + 1) * stepOfLine;
-  const size = {width: Math.max(picture.width + 16, leastWidth, ...lines.map((line) => 40 + 6.4 * Math.min(line.length, longestLine))), height};
+  const lines = listed(compared.lines ?? []), left = Math.max(0, (leastWidth - picture.width) / 2);
+  const below = picture.height + 24, height = below + 30 + lines.length * stepOfLine;
+  const size = {width: Math.max(picture.width + 16, leastWidth, ...lines.map(({line}) => 40 + 6.4 * line.length)), height};
   const drawn = group(`transform="translate(${n(left)} 10)"`, [
     ...pieces.frames.map(({block, svg}) => inColor(svg, block.change)),
     ...pieces.wires.filter(({wire}) => !wire.change).map(({svg}) => svg),
@@ -145,5 +168,5 @@ export async function drawCompared(compared, elk) {
     ...picture.wires.map((wire) => signOfWire(wire, stayed)),
     ...picture.blocks.map(badge),
   ]);
-  return page(size, compared.after.title, [drawn, legend(below), ...listed(lines, below + 30)]);
+  return page(size, compared.after.title, [drawn, legend(below), ...lines.map((line, i) => drawnLine(line, below + 30 + i * stepOfLine))]);
 }

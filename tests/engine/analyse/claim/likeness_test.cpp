@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
 
 #include "engine/analyse/tuning/constraint.hpp"
 #include "tests/engine/base/table/scratch.hpp"
@@ -111,8 +112,13 @@ TEST_CASE("a baseline that is missing, of other signals or units, and other keys
   folder.file("force.csv", "time [s],rig.x [N]\n0,0\n1,1\n");
   folder.file("runs.csv", "time [s],rig.x [m]\n0,0\n1,1\n0,0\n1,1\n");
   CHECK_THAT(read_in(folder, "like: ramb.csv").faults, Contains("there is no file") && Contains("ramp.csv"));
-  folder.file("ramp.h5", "");
-  CHECK_THAT(read_in(folder, "like: ramp.h5").faults, Contains("no CSV file"));
+  folder.file("ramp.h5", "no HDF5");
+  CHECK_THAT(read_in(folder, "like: ramp.h5").faults, Contains("ramp.h5"));
+  folder.file("ramp.doc", "time [s],rig.x [mm]\n");
+  CHECK_THAT(read_in(folder, "like: ramp.doc").faults, Contains("a table is a .csv"));
+  std::filesystem::create_symlink("loop.csv", folder.path("loop.csv"));
+  CHECK_THAT(read_in(folder, "like: loop.csv").faults, Contains("there is no file"));
+  CHECK_THAT(read_in(folder, "like: /dev/full").faults, Contains("a table is a .csv"));
   CHECK_THAT(read_in(folder, "like: other.csv").faults, Contains("'rig.y' of other.csv is not recorded"));
   CHECK_THAT(read_in(folder, "like: force.csv").faults, Contains("cannot be converted"));
   CHECK_THAT(read_in(folder, "like: runs.csv").faults, Contains("has 2 runs"));

@@ -49,6 +49,29 @@ TEST_CASE("run --coverage names the limit that is not reached and the comparison
   CHECK(result["covered"] == 5);
 }
 
+TEST_CASE("run --coverage names the intervals and cells of tables that no run uses") {
+  const Scratch folder;
+  folder.file("tables.yaml",
+              "stepwire: 1\nstep: 0.1 s\nstop: 1 s\nblocks:\n"
+              "  ramp: {block: Ramp, slope: 1}\n"
+              "  curve: {block: LookupTable, u: ramp, points: [0, 0.45, 2, 3], values: [0, 1, 2, 3]}\n"
+              "  plane: {block: LookupTable2D, row: ramp, column: 4, rows: [-2, -1, 5], columns: [3, 5, 7],\n"
+              "          values: [[0, 0, 0], [0, 0, 0], [0, 0, 0]]}\n"
+              "record: [curve, plane]\n");
+  const Done done = run_program(folder, {"run", "tables.yaml", "--coverage", "--out", "out"});
+  INFO(done.out << done.err);
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out,
+             Contains("coverage: 3 of 7 branches\n") &&
+                 Contains("curve (LookupTable): the table: never u from 2 to 3\n") &&
+                 Contains("plane (LookupTable2D): the table: never row from -2 to -1, column from 3 to 5"));
+  CHECK_THAT(done.out, !Contains("u from 0 to 0.45") && !Contains("row from -1 to 5, column from 3 to 5"));
+  const auto conditions = nlohmann::json::parse(content_of(folder.path("out/coverage.json")))["conditions"];
+  CHECK(conditions[0]["branches"][0]["ticks"] == 5);  // 0, 0.1, .., 0.4 s
+  CHECK(conditions[0]["branches"][1]["ticks"] == 6);
+  CHECK(conditions[1]["branches"][2]["ticks"] == 11);
+}
+
 TEST_CASE("run --coverage counts the conditions that a formula has, and elements one by one") {
   const Scratch folder;
   folder.file("formula.yaml",

@@ -119,6 +119,7 @@ TEST_CASE("claims.json and run.json have the fields that scripts read") {
                                                  "sweep",
                                                  "ticks",
                                                  "title",
+                                                 "uses",
                                                  "version"});
   CHECK(run["step"] == 0.001);
   CHECK(run["stop"] == 1.0);

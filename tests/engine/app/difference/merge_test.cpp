@@ -52,6 +52,23 @@ TEST_CASE("edits of two sides that do not meet give the same as both in sequence
       if (i != k) check_both(edits[i], edits[k]);
 }
 
+TEST_CASE("an element of a Mux that one side names is a conflict where the other side exchanges its inputs") {
+  const std::string base = with(loop_yaml, "  sum: ", "  v: {block: Mux, u: [push, spring]}\n  sum: ");
+  const std::string exchanged = with(base, "[push, spring]}", "[spring, push]}"),
+                    longer = with(base, "[push, spring]}", "[sum, push, spring]}"),
+                    named =
+                        with(base, "at_most: 0.5 m", "at_most: 0.5 m}\n  - {that: b, max: v.2, at_most: 9 N");
+  for (const std::string& joining : {exchanged, longer}) {
+    for (const Merged& result : {merged(joining, named, base), merged(named, joining, base)}) {
+      REQUIRE(result.conflicts.size() == 1);
+      CHECK_THAT(result.conflicts[0].at, Catch::StartsWith("v.") && Catch::EndsWith("2"));
+      CHECK(result.conflicts[0].base == "[push, spring]");
+    }
+  }
+  CHECK(merged(with(base, "stop: 1 s", "stop: 2 s"), named, base).conflicts.empty());
+  CHECK(merged(exchanged, with(base, "stop: 1 s", "stop: 2 s"), base).conflicts.empty());
+}
+
 TEST_CASE("comments and layout of ours stay") {
   const std::string ours = with(loop_yaml, "  push:   {", "  # the hand\n  push:   {");
   const Merged result = merged(ours, with(loop_yaml, "400 N/m", "600 N/m"));

@@ -53,6 +53,18 @@ TEST_CASE("the text in the editor counts, not that on the disk, also of a part")
   CHECK(editing.wrong("part.yaml").empty());
 }
 
+TEST_CASE("a part of a repository that is not fetched is marked with the call that fetches it") {
+  Editing editing;
+  const std::string rev(40, 'a'), sha256(64, 'b');
+  editing.open("a.yaml", file_head + "uses:\n  rig: {git: lib, rev: " + rev + ", sha256: " + sha256 +
+                             "}\nrecord: [one]\nblocks:\n  one: {block: Constant, value: 1}\n"
+                             "  part: {diagram: rig/spring, x: one}\n");
+  const auto wrong = editing.wrong("a.yaml");
+  REQUIRE(wrong.size() == 1);
+  CHECK_THAT(wrong[0], Contains("uses.rig: rig at " + rev + " is not fetched; `stepwire fetch ") &&
+                           Contains("a.yaml` fetches it"));
+}
+
 TEST_CASE("a part that is open alone is checked as one that is used") {
   Editing editing;
   editing.open("part.yaml",

@@ -59,3 +59,22 @@ test("a diagram that is new as a whole is drawn", async () => {
   const svg = await drawCompared({before: graph([], []), after: chain}, elk);
   assert.ok(!svg.includes(`stroke="${looks.removed.color}" stroke-width="1.6"`));
 });
+
+test("a number with another value at an input is changed, a number in the place of a wire is new", () => {
+  const number = (value) => ({from: {constant: value}, to: {node: "b", port: "u"}});
+  const fed = (wireOfB) => ({...graph(["a", "b"], []), wires: [wireOfB]});
+  const changesOf = (before, after) => united({before: fed(before), after: fed(after)}).wires.filter(({change}) => change).map(({change}) => change);
+  assert.deepEqual(changesOf(number("1 N"), number("2 N")), ["changed"]);
+  assert.deepEqual(changesOf(number("1 N"), number("1 N")), []);
+  assert.deepEqual(changesOf(wire("a", "b"), number("2 N")).sort(), ["added", "removed"]);
+});
+
+test("a long line is drawn in pieces with all its words, and a part has a bold heading", async () => {
+  const words = Array.from({length: 60}, (_, i) => `word${i}`), line = `~ claim.that: ${words.join(" ")}`;
+  const svg = await drawCompared({before: chain, after: chain, lines: [{heading: "in the part a.yaml"}, line]}, elk);
+  const texts = [...svg.matchAll(/<text[^>]*>([^<]*)<\/text>/g)].map(([, text]) => text);
+  const pieces = texts.filter((text) => text.includes("word"));
+  assert.ok(pieces.length > 3 && pieces.every((text) => text.length <= 105));
+  assert.equal(pieces.map((text) => text.trim()).join(" "), line);
+  assert.match(svg, /font-weight="bold"[^>]*>in the part a\.yaml</);
+});
