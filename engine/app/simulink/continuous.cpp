@@ -24,7 +24,6 @@ void integrator(BlockWriter& write) {
   if (write.is_on("LimitOutput"))
     write.limit("lower", "LowerSaturationLimit", "-inf").limit("upper", "UpperSaturationLimit", "inf");
   write.output(0, write.name() + ".before");
-  write.output(1, write.name() + ".y");
 }
 
 /// Writes both integrators of Integrator, Second-Order: x and dx.
