@@ -175,6 +175,26 @@ void BlockWriter::check_types() const {
   }
 }
 
+void BlockWriter::check_sample_time() const {
+  const std::string text = this->text("SampleTime", "-1");
+  const auto has_every = [](const auto& made) { return made.second.find("every") != nullptr; };
+  if (text == "-1" || text == "0" || text == "inf" || flat_.made.empty()) return;
+  if (std::ranges::any_of(flat_.made, has_every)) return;
+  const Value time = value("SampleTime", "-1");
+  if (time.is_scalar() && (time.cells[0].number <= 0.0 || std::isinf(time.cells[0].number))) return;
+  note(fmt::format("its sample time {} is not translated; give it `every`", on_one_line(text)));
+}
+
+void BlockWriter::check_common(bool locates_events) const {
+  check_types();
+  check_sample_time();
+  ignore("AbsoluteTolerance", "auto");
+  if (text("SamplingMode", "Sample based") == "Frame based")
+    note("works on frames in Simulink, and on samples here");
+  if (locates_events && text("ZeroCross", "on") == "off")
+    note("its zero crossings are not located in Simulink, and are here");
+}
+
 void BlockWriter::start_again() {
   flat_.made.clear();
   flat_.outputs.clear();

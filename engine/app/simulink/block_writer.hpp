@@ -112,8 +112,9 @@ class BlockWriter {
   }
   /// Reports a parameter that is not translated, where it differs from the value without effect.
   void ignore(const std::string& name, const std::string& without_effect) const;
-  /// Reports data types other than double.
-  void check_types() const;
+  /// Reports parameters that many types have and this translation leaves out: data types other than double,
+  /// sample times, zero crossings that are not located, tolerances, frames.
+  void check_common(bool locates_events) const;
   void comment(const std::string& line) { flat_.comments.push_back(line); }
   bool has_made() const { return !flat_.made.empty(); }
   /// Removes all that was made so far.
@@ -121,6 +122,8 @@ class BlockWriter {
 
  private:
   int written_outputs() const;
+  void check_types() const;
+  void check_sample_time() const;
 
   FlatModel& model_;
   FlatBlock& flat_;

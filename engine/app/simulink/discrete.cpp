@@ -15,7 +15,6 @@ std::string initial_name(const BlockWriter& write) {
 }
 
 void unit_delay(BlockWriter& write) {
-  write.check_types();
   write.make("UnitDelay").u().key("initial", initial_name(write), "0").every();
 }
 
@@ -71,7 +70,6 @@ void discrete_integrator(BlockWriter& write) {
     throw Untranslated("it accumulates and has no sample time of its own");
   const Value gain = write.finite("gainval", "1.0");
   const bool forward = method.ends_with("Forward Euler");
-  write.check_types();
   write.make("DiscreteIntegrator").u().key("gain", sums ? each('/', gain, Value::of(time.period)) : gain);
   write.key("method", forward                              ? "forward_euler"
                       : method.ends_with("Backward Euler") ? "backward_euler"
@@ -104,7 +102,6 @@ void write_filter(BlockWriter& write, const Value& numerator, const Value& denom
   if (!numerator.is_vector() || !denominator.is_vector())
     throw Untranslated("it has several filters, one in each row");
   refuse_initial_states(write);
-  write.check_types();
   write.make("DiscreteTransferFunction")
       .u()
       .key("numerator", list_node(numerator))

@@ -118,6 +118,9 @@ void FlatModel::add_block(Instance& instance, const Block& block) {
     notes_.push_back({NoteKind::differs, instance.path + block.name, "is commented out and left out"});
     return;
   }
+  if (commented == "through")
+    notes_.push_back(
+        {NoteKind::differs, instance.path + block.name, "is commented through in Simulink, and acts here"});
   if (block.type == "Goto")
     gotos_.emplace(text_of(model_, block, "GotoTag", "A"), std::pair(&instance, &block));
   if (has_no_counterpart_of_its_own(block.type)) return;
@@ -208,7 +211,7 @@ std::string FlatModel::follow(Instance& in, const LineEnd& end, int depth) {
   const Block& block = *found->second;
   const int port = end.port.starts_with("out:") ? std::atoi(end.port.c_str() + 4) : 0;
   if (const auto flat = in.flat.find(&block); flat != in.flat.end()) return token(flat->second, port);
-  if (block.type == "Inport") return follow_inport(in, block, depth);
+  if (block.type == "Inport" || block.type == "InportShadow") return follow_inport(in, block, depth);
   if (block.type == "From") return follow_from(in, block, depth);
   const auto child = in.children.find(&block);
   if (child == in.children.end()) return ground;

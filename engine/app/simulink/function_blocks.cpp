@@ -25,7 +25,6 @@ void math(BlockWriter& write) {
                                                            {"mod", "u2 == 0 ? u1 : mod(u1, u2)"},
                                                            {"rem", "sign(u1)*mod(abs(u1), abs(u2))"}};
   const std::string function = write.text("Operator", write.text("Function", "exp"));
-  write.check_types();
   if (function == "transpose" || function == "hermitian") {
     write.make("Transpose").u();
     return;

@@ -43,6 +43,7 @@ class Importer {
   ImportResult run() {
     Head head = read_head(flat_, result_.notes);
     collected_.step = head.step;
+    locates_ = head.locates_events;
     name_files();
     for (std::size_t i = 0; i < flat_.blocks().size(); ++i) translate(i);
     record_outports();
@@ -87,6 +88,7 @@ class Importer {
       const Translation* translation = translation_of(model_, write.block());
       if (!translation) throw Untranslated("there is no counterpart");
       translation->write(write);
+      write.check_common(locates_);
     } catch (const Untranslated& reason) {
       result_.notes.resize(known);
       write.start_again();
@@ -218,6 +220,7 @@ class Importer {
   Model model_;
   FlatModel flat_;
   Collected collected_;
+  bool locates_ = false;
   std::string main_, folder_;
   std::set<std::string> files_;
   std::map<std::string, std::string> placeholders_, checked_, names_;

@@ -26,7 +26,6 @@ void switch_of_three(BlockWriter& write) {
     write.key("threshold", "0");
   else
     write.key("threshold", cell_node(write.number("Threshold", "0")));
-  write.check_types();
   write.every();
 }
 

@@ -22,7 +22,6 @@ std::string signs_of(const BlockWriter& write, char all) {
 
 void sum(BlockWriter& write) {
   const std::string signs = signs_of(write, '+');
-  write.check_types();
   if (signs.size() == 1 && write.width(1) != 1) {
     require(write, "CollapseMode", "All dimensions");
     write.make("Dot").key("u", list_of({word(write.source()), word(signs == "-" ? "-1" : "1")}));
@@ -36,7 +35,6 @@ void sum(BlockWriter& write) {
 void gain(BlockWriter& write) {
   const Value gain = write.finite("Gain", "1");
   const std::string kind = write.text("Multiplication", "Element-wise(K.*u)");
-  write.check_types();
   const bool by_element = kind.starts_with("Element-wise");
   if (gain.is_scalar() || (by_element && gain.is_vector())) {
     write.make("Gain").u().key("gain", gain).every();
@@ -74,7 +72,6 @@ void matrix_product(BlockWriter& write, const std::string& signs) {
 
 void product(BlockWriter& write) {
   const std::string signs = signs_of(write, '*');
-  write.check_types();
   if (write.text("Multiplication", "Element-wise(.*)").starts_with("Matrix"))
     return matrix_product(write, signs);
   if (signs.size() == 1 && write.width(1) != 1)
@@ -122,7 +119,6 @@ void min_max(BlockWriter& write) {
 }
 
 void absolute(BlockWriter& write) {
-  write.check_types();
   write.make("Abs").u().every();
 }
 

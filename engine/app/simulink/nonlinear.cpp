@@ -7,7 +7,6 @@ namespace stepwire::simulink {
 namespace {
 
 void saturation(BlockWriter& write) {
-  write.check_types();
   write.make("Saturation")
       .u()
       .limit("lower", "LowerLimit", "-0.5")
@@ -50,7 +49,6 @@ void backlash(BlockWriter& write) {
 }
 
 void relay(BlockWriter& write) {
-  write.check_types();
   write.make("Relay").u().key("switch_on", "OnSwitchValue", "eps").key("switch_off", "OffSwitchValue", "eps");
   write.key("when_on", "OnOutputValue", "1").key("when_off", "OffOutputValue", "0").every();
 }

@@ -11,7 +11,11 @@ namespace {
 
 void constant(BlockWriter& write) {
   const Value value = write.finite("Value", "1");
-  write.check_types();
+  if (write.unit().parent && value.is_vector()) {
+    // A Constant has its value from the start on, also while its part is off.
+    write.make("Ramp").key("slope", "0").key("initial", value);
+    return;
+  }
   if (value.is_vector()) {
     write.make("Constant").key("value", value);
     return;
@@ -26,7 +30,6 @@ void constant(BlockWriter& write) {
 }
 
 void step(BlockWriter& write) {
-  write.check_types();
   write.make("Step").key("time", "Time", "1").key("before", "Before", "0").key("after", "After", "1");
   write.every("SampleTime", "0");
 }

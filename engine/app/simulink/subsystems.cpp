@@ -68,6 +68,27 @@ void conditional(BlockWriter& write) {
   write.key("trigger", edge == "rising" ? word(when) : map_of({{"when", word(when)}, {"edge", word(edge)}}));
 }
 
+/// Writes a Merge of parts: the output of the active one, and the last value while none is.
+void merge(BlockWriter& write) {
+  std::vector<yaml::Node> inputs;
+  std::string formula;
+  for (int i = 1; i <= write.inputs(); ++i) {
+    const std::string source = write.source(i);
+    const auto at = FlatModel::token_of(source);
+    if (!at || write.model().blocks()[at->first].block->type != "SubSystem")
+      throw Untranslated("an input of it is no subsystem that runs on condition");
+    inputs.push_back(word(write.model().blocks()[at->first].name + ".active"));
+    inputs.push_back(word(source));
+    formula += fmt::format("u{} > 0 ? u{} : ", 2 * i - 1, 2 * i);
+  }
+  const std::string initial = write.text("InitialOutput", "[]");
+  const Value start =
+      initial == "[]" || initial.empty() ? Value::of(0.0) : write.finite("InitialOutput", "0");
+  inputs.push_back(word(write.extra(
+      "last", block_node("UnitDelay", {{"u", word(write.name())}, {"initial", value_node(start)}}))));
+  expression(write, formula + fmt::format("u{}", inputs.size()), std::move(inputs));
+}
+
 void subsystem(BlockWriter& write) {
   const std::string obstacle = obstacle_of(write.model().model(), write.block());
   if (!obstacle.empty()) throw Untranslated("it is " + obstacle);
@@ -78,8 +99,8 @@ void subsystem(BlockWriter& write) {
 
 std::vector<Translation> subsystem_translations() {
   return {{"SubSystem",
-           "its blocks with its name before theirs; on condition a part with `enable`, `trigger`",
-           subsystem}};
+           "its blocks with its name before theirs; on condition a part with `enable`, `trigger`", subsystem},
+          {"Merge", "`Expression` of parts and what is active", merge}};
 }
 
 }  // namespace stepwire::simulink

@@ -39,7 +39,6 @@ void require_linear(const BlockWriter& write) {
 
 void table(BlockWriter& write) {
   require_linear(write);
-  write.check_types();
   const int dimensions = static_cast<int>(write.known("NumberOfTableDimensions", "1"));
   const std::string extrapolation = extrapolation_of(write.text("ExtrapMethod", "Linear"));
   if (dimensions == 1) {

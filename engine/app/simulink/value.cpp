@@ -71,13 +71,12 @@ Cell combined(char op, const Cell& a, const Cell& b) {
   Cell result{computed(op, a.number, b.number)};
   if (a.text.empty() && b.text.empty()) return result;
   const int strength = strength_of(op);
-  const bool is_same = op == '+' || op == '*';
+  // The right operand of - and / binds stronger, and a sign behind an operator has brackets.
+  const int right = strength == 4 ? 5 : op == '+' ? 2 : strength + 1;
+  const bool is_signed = b.formula().starts_with('-');
+  const std::string sign = strength == 1 ? fmt::format(" {} ", op) : std::string(1, op);
   result.strength = strength;
-  if (strength == 4)
-    result.text = operand(a, 5) + "^" + operand(b, 5);
-  else
-    result.text = operand(a, strength) + (strength == 1 ? fmt::format(" {} ", op) : std::string(1, op)) +
-                  operand(b, is_same ? std::max(strength, strength == 2 ? 3 : 2) : strength + 1);
+  result.text = operand(a, strength == 4 ? 5 : strength) + sign + operand(b, is_signed ? 9 : right);
   return result;
 }
 

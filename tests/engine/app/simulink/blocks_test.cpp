@@ -79,8 +79,12 @@ TEST_CASE("a matrix gain multiplies a vector, an element-wise one its elements")
   };
   CHECK(second({{"Gain", "[1 2;3 4]"}, {"Multiplication", "Matrix(K*u)"}}) == near(11.0));
   CHECK(second({{"Gain", "[5 7]"}}) == near(14.0));
-  CHECK(through(block("Product", "P", 9, {{"Multiplication", "Matrix(*)"}}),
-                {number(1, "[1 2;3 4]"), number(2, "[1 0; 0 1]")}) != 0.0);
+  const std::string matrices = number(1, "[1 2;3 4]") + number(2, "[0 1; 1 0]") +
+                               block("Product", "P", 9, {{"Multiplication", "Matrix(*)"}}) +
+                               block("ToWorkspace", "W", 10, {{"VariableName", "y"}}) +
+                               line("1#out:1", {"9#in:1"}) + line("2#out:1", {"9#in:2"}) +
+                               line("9#out:1", {"10#in:1"});
+  CHECK(Imported(ModelText{matrices}).last("y.2.1") == near(4.0));
 }
 
 TEST_CASE("functions of Simulink have their formulas") {

@@ -171,6 +171,11 @@ TEST_CASE("If and its actions are parts with conditions") {
   CHECK(Imported(model).last("high") == near(0.0));
   model.solver["StopTime"] = "0.7";
   CHECK(Imported(model).last("high") == near(8.0));
+  model.system += block("Merge", "Merge", 40) + sink(41, "merged") + line("10#out:1", {"40#in:1"}) +
+                  line("20#out:1", {"40#in:2"}) + line("40#out:1", {"41#in:1"});
+  CHECK(Imported(model).last("merged") == near(8.0));
+  model.solver["StopTime"] = "0.3";
+  CHECK(Imported(model).last("merged") == near(3.0));
 }
 
 TEST_CASE("a part gets the variables and tags that it reads") {
