@@ -7,6 +7,7 @@
 
 #include "engine/app/simulink/flat_model.hpp"
 #include "engine/app/simulink/nodes.hpp"
+#include "engine/app/simulink/widths.hpp"
 
 namespace stepwire::simulink {
 
@@ -27,7 +28,8 @@ struct Collected {
   std::vector<std::string> stops;  ///< conditions that end the run
   std::vector<double> periods;     ///< [s] sample times and offsets
   bool has_states = false;         ///< continuous ones
-  double step = 0.0;               ///< [s] of the configuration, or estimated
+  Widths* widths = nullptr;
+  double step = 0.0;  ///< [s] of the configuration, or estimated
 };
 
 /// Sample time of a block.
@@ -73,7 +75,7 @@ class BlockWriter {
   /// Returns how many inputs the block has.
   int inputs() const;
   int outputs() const;
-  std::size_t width(int input) const { return model_.width(source(input)); }
+  std::size_t width(int input) const { return collected_.widths->of(source(input)); }
   /// Returns the source of all inputs.
   std::vector<yaml::Node> sources() const;
 

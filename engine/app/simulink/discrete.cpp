@@ -26,8 +26,8 @@ void hold(BlockWriter& write) {
   write.make("ZeroOrderHold").u().every("SampleTime", "-1");
 }
 
-/// Writes a delay of whole periods: Delay with a known period, otherwise UnitDelays in a row.
-void delay(BlockWriter& write) {
+/// Returns the length of a delay in periods. Throws Untranslated for what Delay and UnitDelay do not have.
+double delay_length(const BlockWriter& write) {
   if (write.text("DelayLengthSource", "Dialog") != "Dialog")
     throw Untranslated("its length comes from outside; use VariableDelay");
   if (write.text("InitialConditionSource", "Dialog") != "Dialog")
@@ -40,6 +40,12 @@ void delay(BlockWriter& write) {
   const double length = write.known(name, "2");
   if (!(length >= 0.0 && length <= 1e6) || length != std::round(length))
     throw Untranslated("its length is no whole number");
+  return length;
+}
+
+/// Writes a delay of whole periods: Delay with a known period, otherwise UnitDelays in a row.
+void delay(BlockWriter& write) {
+  const double length = delay_length(write);
   const SampleTime time = write.sample_time();
   const std::string initial = write.block().texts.contains("vinit") ? "vinit" : "InitialCondition";
   if (length == 0.0) return write.output(1, write.source());
@@ -49,12 +55,22 @@ void delay(BlockWriter& write) {
     return;
   }
   if (length > 100.0) throw Untranslated("it is long and has no sample time of its own; Delay needs one");
+  const yaml::Node start = value_node(write.finite(initial, "0"));
   std::string last = write.source();
   for (int i = 1; i < static_cast<int>(length); ++i)
-    last = write.extra(
-        std::to_string(i),
-        block_node("UnitDelay", {{"u", word(last)}, {"initial", value_node(write.finite(initial, "0"))}}));
-  write.make("UnitDelay").key("u", last).key("initial", initial, "0");
+    last = write.extra(std::to_string(i), block_node("UnitDelay", {{"u", word(last)}, {"initial", start}}));
+  write.make("UnitDelay").key("u", last).key("initial", start);
+}
+
+/// Adds the reset, initial value and limits of an integrator.
+void add_integrator_keys(BlockWriter& write, const std::string& reset) {
+  add_reset(write, reset, 2);
+  if (write.text("InitialConditionSource", "internal") == "external")
+    write.key("initial", write.source(reset == "none" ? 2 : 3));
+  else
+    write.key("initial", "InitialCondition", "0");
+  if (write.is_on("LimitOutput"))
+    write.limit("lower", "LowerSaturationLimit", "-inf").limit("upper", "UpperSaturationLimit", "inf");
 }
 
 void discrete_integrator(BlockWriter& write) {
@@ -74,13 +90,7 @@ void discrete_integrator(BlockWriter& write) {
   write.key("method", forward                              ? "forward_euler"
                       : method.ends_with("Backward Euler") ? "backward_euler"
                                                            : "trapezoidal");
-  add_reset(write, reset, 2);
-  if (write.text("InitialConditionSource", "internal") == "external")
-    write.key("initial", write.source(reset == "none" ? 2 : 3));
-  else
-    write.key("initial", "InitialCondition", "0");
-  if (write.is_on("LimitOutput"))
-    write.limit("lower", "LowerSaturationLimit", "-inf").limit("upper", "UpperSaturationLimit", "inf");
+  add_integrator_keys(write, reset);
   write.every();
   if (!forward && !write.text("InitialConditionSetting", write.text("InitialConditionMode", "Output"))
                        .starts_with("State"))

@@ -23,8 +23,9 @@ std::string token(std::size_t block, int port) {
 
 /// Types of blocks that wires pass through, or that belong to their subsystem.
 bool has_no_counterpart_of_its_own(const std::string& type) {
-  static const std::set<std::string> types{
-      "Inport", "Outport", "From", "Goto", "GotoTagVisibility", "EnablePort", "TriggerPort", "ActionPort"};
+  static const std::set<std::string> types{"Inport",     "InportShadow", "Outport",
+                                           "From",       "Goto",         "GotoTagVisibility",
+                                           "EnablePort", "TriggerPort",  "ActionPort"};
   return types.contains(type);
 }
 
@@ -86,17 +87,25 @@ FlatModel::FlatModel(const Model& model, std::vector<Note>& notes)
 }
 
 void FlatModel::build(Instance& instance) {
-  Unit& unit = *instance.unit;
   for (const Block& block : instance.system->blocks) {
     instance.by_sid.try_emplace(block.sid, &block);
     instance.by_sid.try_emplace("name " + block.name, &block);
     if (block.type == "Outport") instance.outports[port_number(model_, block)] = &block;
-    if (block.type != "Inport" || !instance.prefix.empty()) continue;
-    const auto port = static_cast<std::size_t>(port_number(model_, block));
-    if (port > instance.system->blocks.size()) continue;
-    if (unit.inputs.size() < port) unit.inputs.resize(port);
-    if (unit.inputs[port - 1].empty()) unit.inputs[port - 1] = unit.take_name(valid_name(block.name));
+    if (block.type == "Inport" && instance.prefix.empty()) name_input(instance, block);
   }
+  add_lines(instance);
+  for (const Block& block : instance.system->blocks) add_block(instance, block);
+}
+
+void FlatModel::name_input(Instance& instance, const Block& block) {
+  Unit& unit = *instance.unit;
+  const auto port = static_cast<std::size_t>(port_number(model_, block));
+  if (port > instance.system->blocks.size()) return;
+  if (unit.inputs.size() < port) unit.inputs.resize(port);
+  if (unit.inputs[port - 1].empty()) unit.inputs[port - 1] = unit.take_name(valid_name(block.name));
+}
+
+void FlatModel::add_lines(Instance& instance) {
   for (const Line& line : instance.system->lines) {
     if (line.source.port.starts_with("out:")) {
       int& most = instance.outputs[line.source.sid];
@@ -109,26 +118,24 @@ void FlatModel::build(Instance& instance) {
       instance.sources[sid + "#" + sink.port] = line.source;
     }
   }
-  for (const Block& block : instance.system->blocks) add_block(instance, block);
 }
 
 void FlatModel::add_block(Instance& instance, const Block& block) {
   const std::string commented = text_of(model_, block, "Commented", "off");
-  if (commented == "on") {
-    notes_.push_back({NoteKind::differs, instance.path + block.name, "is commented out and left out"});
-    return;
-  }
-  if (commented == "through")
-    notes_.push_back(
-        {NoteKind::differs, instance.path + block.name, "is commented through in Simulink, and acts here"});
+  if (commented != "off")
+    notes_.push_back({NoteKind::differs, instance.path + block.name,
+                      commented == "on" ? "is commented out and left out"
+                                        : "is commented through in Simulink, and acts here"});
+  if (commented == "on") return;
   if (block.type == "Goto")
     gotos_.emplace(text_of(model_, block, "GotoTag", "A"), std::pair(&instance, &block));
   if (has_no_counterpart_of_its_own(block.type)) return;
   const bool is_subsystem = block.type == "SubSystem" && obstacle_of(model_, block).empty();
-  if (is_subsystem && !is_conditional(*block.system)) {
-    add_child(instance, block);
-    return;
-  }
+  if (!is_subsystem || is_conditional(*block.system)) add_flat(instance, block);
+  if (is_subsystem) add_child(instance, block);
+}
+
+void FlatModel::add_flat(Instance& instance, const Block& block) {
   FlatBlock flat;
   flat.block = &block;
   flat.in = &instance;
@@ -136,10 +143,7 @@ void FlatModel::add_block(Instance& instance, const Block& block) {
   flat.name = instance.unit->take_name(instance.prefix + valid_name(block.name));
   instance.flat[&block] = blocks_.size();
   instance.unit->blocks.push_back(blocks_.size());
-  const std::string name = flat.name;
   blocks_.push_back(std::move(flat));
-  if (!is_subsystem) return;
-  add_child(instance, block);
 }
 
 void FlatModel::add_child(Instance& instance, const Block& block) {

@@ -95,12 +95,13 @@ class FlatModel {
   std::string resolved(const std::string& text, int depth = 0) const;
   /// Returns the index of the block and the port of a text that is one token.
   static std::optional<std::pair<std::size_t, int>> token_of(const std::string& text);
-  /// Returns the number of elements of a source; 0 if unknown.
-  std::size_t width(const std::string& source, int depth = 0);
 
  private:
   void build(Instance& instance);
+  void name_input(Instance& instance, const Block& block);
+  static void add_lines(Instance& instance);
   void add_block(Instance& instance, const Block& block);
+  void add_flat(Instance& instance, const Block& block);
   void add_child(Instance& instance, const Block& block);
   void open_unit(Instance& child);
   std::string follow(Instance& in, const LineEnd& end, int depth);
@@ -110,7 +111,6 @@ class FlatModel {
   std::string follow_port(Instance& in, const Block& block, const std::string& port, int depth);
   Value variable(Instance& in, const std::string& name);
   void read_mask(Instance& in);
-  std::size_t width_of(FlatBlock& block, int port, int depth);
 
   const Model& model_;
   std::vector<Note>& notes_;
@@ -120,7 +120,6 @@ class FlatModel {
   std::vector<std::unique_ptr<Unit>> units_;
   std::unique_ptr<Instance> root_;
   std::multimap<std::string, std::pair<Instance*, const Block*>> gotos_;
-  std::map<std::pair<std::size_t, int>, std::size_t> widths_;
   Unit* evaluating_ = nullptr;
 };
 

@@ -114,19 +114,25 @@ struct Function {
   Call call;
 };
 
-const std::map<std::string, Function>& functions() {
+/// Constants, and functions that make matrices of a size.
+std::map<std::string, Function> makers() {
   using All = const std::vector<Value>&;
-  static const std::map<std::string, Function> all{
-      {"pi", {0, 0, [](All) { return Value::of(std::numbers::pi); }}},
-      {"inf", {0, 2, [](All of) { return constant(std::numeric_limits<double>::infinity(), of); }}},
-      {"Inf", {0, 2, [](All of) { return constant(std::numeric_limits<double>::infinity(), of); }}},
-      {"eps", {0, 0, [](All) { return Value::of(std::numeric_limits<double>::epsilon()); }}},
-      {"realmax", {0, 0, [](All) { return Value::of(std::numeric_limits<double>::max()); }}},
-      {"true", {0, 2, [](All of) { return constant(1.0, of); }}},
-      {"false", {0, 2, [](All of) { return constant(0.0, of); }}},
-      {"zeros", {0, 2, [](All of) { return filled(of, 0.0); }}},
-      {"ones", {0, 2, [](All of) { return filled(of, 1.0); }}},
-      {"eye", {0, 2, unit_matrix}},
+  return {{"pi", {0, 0, [](All) { return Value::of(std::numbers::pi); }}},
+          {"inf", {0, 2, [](All of) { return constant(std::numeric_limits<double>::infinity(), of); }}},
+          {"Inf", {0, 2, [](All of) { return constant(std::numeric_limits<double>::infinity(), of); }}},
+          {"eps", {0, 0, [](All) { return Value::of(std::numeric_limits<double>::epsilon()); }}},
+          {"realmax", {0, 0, [](All) { return Value::of(std::numeric_limits<double>::max()); }}},
+          {"true", {0, 2, [](All of) { return constant(1.0, of); }}},
+          {"false", {0, 2, [](All of) { return constant(0.0, of); }}},
+          {"zeros", {0, 2, [](All of) { return filled(of, 0.0); }}},
+          {"ones", {0, 2, [](All of) { return filled(of, 1.0); }}},
+          {"eye", {0, 2, unit_matrix}}};
+}
+
+/// Functions of given values.
+std::map<std::string, Function> transformers() {
+  using All = const std::vector<Value>&;
+  return {
       {"linspace", {2, 3, line_space}},
       {"diag", {1, 1, diagonal}},
       {"conv", {2, 2, convolution}},
@@ -145,6 +151,14 @@ const std::map<std::string, Function>& functions() {
                  for (Cell& cell : result.cells) cell = Cell{fixed(Value::of(cell).number())};
                  return result;
                }}}};
+}
+
+const std::map<std::string, Function>& functions() {
+  static const std::map<std::string, Function> all = [] {
+    std::map<std::string, Function> both = makers();
+    both.merge(transformers());
+    return both;
+  }();
   return all;
 }
 

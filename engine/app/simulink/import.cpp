@@ -43,6 +43,7 @@ class Importer {
   ImportResult run() {
     Head head = read_head(flat_, result_.notes);
     collected_.step = head.step;
+    collected_.widths = &widths_;
     locates_ = head.locates_events;
     name_files();
     for (std::size_t i = 0; i < flat_.blocks().size(); ++i) translate(i);
@@ -219,6 +220,7 @@ class Importer {
   ImportResult result_;
   Model model_;
   FlatModel flat_;
+  Widths widths_{flat_};
   Collected collected_;
   bool locates_ = false;
   std::string main_, folder_;

@@ -86,7 +86,8 @@ void merge(BlockWriter& write) {
       initial == "[]" || initial.empty() ? Value::of(0.0) : write.finite("InitialOutput", "0");
   inputs.push_back(word(write.extra(
       "last", block_node("UnitDelay", {{"u", word(write.name())}, {"initial", value_node(start)}}))));
-  expression(write, formula + fmt::format("u{}", inputs.size()), std::move(inputs));
+  formula += fmt::format("u{}", inputs.size());
+  expression(write, formula, std::move(inputs));
 }
 
 void subsystem(BlockWriter& write) {
