@@ -20,6 +20,16 @@ std::string BlockWriter::text(const std::string& name, const std::string& otherw
   return text_of(model_.model(), block_, name, otherwise);
 }
 
+void BlockWriter::say_default(const std::string& name, const std::string& otherwise) const {
+  if (!is_written(name))
+    note(fmt::format("its {} is not in the file; {}, the default of Simulink, is written", name, otherwise));
+}
+
+Value BlockWriter::undecided(const std::string& name) const {
+  return is_written(name) ? finite(name, "")
+                          : model_.evaluate(*flat_.in, valid_name(block_.name) + "_" + name);
+}
+
 Value BlockWriter::value(const std::string& name, const std::string& otherwise) const {
   const std::string written = text(name, otherwise);
   try {
@@ -178,7 +188,7 @@ void BlockWriter::check_types() const {
 void BlockWriter::check_sample_time() const {
   const std::string text = this->text("SampleTime", "-1");
   const auto has_every = [](const auto& made) { return made.second.find("every") != nullptr; };
-  if (text == "-1" || text == "0" || text == "inf" || flat_.made.empty()) return;
+  if (block_.type == "Constant" || text == "-1" || text == "0" || text == "inf" || flat_.made.empty()) return;
   if (std::ranges::any_of(flat_.made, has_every)) return;
   const Value time = value("SampleTime", "-1");
   if (time.is_scalar() && (time.cells[0].number <= 0.0 || std::isinf(time.cells[0].number))) return;

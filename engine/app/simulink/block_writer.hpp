@@ -61,6 +61,12 @@ class BlockWriter {
   bool is_on(const std::string& name, const std::string& otherwise = "off") const {
     return text(name, otherwise) == "on";
   }
+  /// True for a parameter that is in the block or among the defaults of the file.
+  bool is_written(const std::string& name) const { return !text(name).empty(); }
+  /// Reports that a parameter is not in the file, so that the default of Simulink is written.
+  void say_default(const std::string& name, const std::string& otherwise) const;
+  /// Evaluates a parameter whose default differs from release to release. Without it the value is missing.
+  Value undecided(const std::string& name) const;
   /// Evaluates a parameter. Throws Untranslated, naming it, where that fails.
   Value value(const std::string& name, const std::string& otherwise) const;
   /// Evaluates a parameter that must be one number.

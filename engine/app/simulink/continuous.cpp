@@ -50,7 +50,8 @@ void derivative(BlockWriter& write) {
 
 void transfer_function(BlockWriter& write) {
   const Value numerator = write.finite("Numerator", "[1]"),
-              denominator = write.finite("Denominator", "[1 1]");
+              denominator = write.finite("Denominator", "[1 2 1]");
+  write.say_default("Denominator", "[1 2 1]");
   if (!numerator.is_vector()) throw Untranslated("its numerator has several rows, one for each output");
   write.collected().has_states = true;
   write.make("TransferFunction")
@@ -64,6 +65,7 @@ void zero_pole(BlockWriter& write) {
               gain = write.finite("Gain", "1");
   if (!gain.is_scalar() || (!zeros.cells.empty() && !zeros.is_vector()))
     throw Untranslated("it has several outputs");
+  write.say_default("Poles", "[0 -1]");
   write.collected().has_states = true;
   write.make("TransferFunction").u().key("numerator", list_node(each('*', gain, polynomial_of_roots(zeros))));
   write.key("denominator", list_node(polynomial_of_roots(poles)));
@@ -83,10 +85,12 @@ void state_space(BlockWriter& write) {
   Value whole = initial;
   if (initial.is_scalar() && a.rows > 1) whole = {1, a.rows, std::vector<Cell>(a.rows, initial.cells[0])};
   write.key("initial", whole.is_scalar() ? cell_node(whole.cells[0]) : list_node(whole));
-  if (is_discrete)
-    write.every("SampleTime", "1");
-  else
+  if (!is_discrete) {
     write.collected().has_states = true;
+    return;
+  }
+  write.say_default("SampleTime", "1");
+  write.every("SampleTime", "1");
 }
 
 void transport_delay(BlockWriter& write) {

@@ -15,7 +15,8 @@ std::string initial_name(const BlockWriter& write) {
 }
 
 void unit_delay(BlockWriter& write) {
-  write.make("UnitDelay").u().key("initial", initial_name(write), "0").every();
+  write.say_default("SampleTime", "1");
+  write.make("UnitDelay").u().key("initial", initial_name(write), "0").every("SampleTime", "1");
 }
 
 void memory(BlockWriter& write) {
@@ -23,7 +24,7 @@ void memory(BlockWriter& write) {
 }
 
 void hold(BlockWriter& write) {
-  write.make("ZeroOrderHold").u().every("SampleTime", "-1");
+  write.make("ZeroOrderHold").u().every("SampleTime", "1");
 }
 
 /// Returns the length of a delay in periods. Throws Untranslated for what Delay and UnitDelay do not have.
@@ -80,7 +81,7 @@ void discrete_integrator(BlockWriter& write) {
     throw Untranslated("its external reset is '" + reset + "'");
   if (write.is_on("ShowSaturationPort") || write.is_on("ShowStatePort"))
     throw Untranslated("it shows its state or saturation");
-  const SampleTime time = write.sample_time("SampleTime", "-1");
+  const SampleTime time = write.sample_time("SampleTime", "1");
   const bool sums = method.starts_with("Accumulation");
   if (sums && time.kind != SampleTime::Kind::discrete)
     throw Untranslated("it accumulates and has no sample time of its own");
@@ -91,7 +92,7 @@ void discrete_integrator(BlockWriter& write) {
                       : method.ends_with("Backward Euler") ? "backward_euler"
                                                            : "trapezoidal");
   add_integrator_keys(write, reset);
-  write.every();
+  write.every("SampleTime", "1");
   if (!forward && !write.text("InitialConditionSetting", write.text("InitialConditionMode", "Output"))
                        .starts_with("State"))
     write.note("its first output is its initial value in Simulink; here the first input is already in it");
@@ -116,7 +117,8 @@ void write_filter(BlockWriter& write, const Value& numerator, const Value& denom
       .u()
       .key("numerator", list_node(numerator))
       .key("denominator", list_node(denominator));
-  write.every();
+  write.say_default("SampleTime", "1");
+  write.every("SampleTime", "1");
 }
 
 void discrete_transfer_function(BlockWriter& write) {

@@ -78,6 +78,7 @@ class FlatModel {
   FlatModel(const Model& model, std::vector<Note>& notes);
 
   std::vector<FlatBlock>& blocks() { return blocks_; }
+  const std::vector<FlatBlock>& blocks() const { return blocks_; }
   std::vector<std::unique_ptr<Unit>>& units() { return units_; }
   Instance& root() { return *root_; }
   const Model& model() const { return model_; }

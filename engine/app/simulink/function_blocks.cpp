@@ -1,11 +1,13 @@
 // Functions of Simulink: Math, Trigonometry, Rounding, Sqrt, Fcn.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <map>
 #include <set>
 
 #include "engine/app/simulink/forms.hpp"
+#include "engine/app/simulink/functions.hpp"
 
 namespace stepwire::simulink {
 namespace {
@@ -128,8 +130,15 @@ class Formula {
       result_ += function(name);
     else
       result_ +=
-          name == "pi" ? name : in_formula(write_.model().evaluate(write_.instance(), name).cells.at(0));
+          name == "pi" ? name : constant(name);
     return end;
+  }
+
+  std::string constant(const std::string& name) const {
+    const Value value = write_.model().evaluate(write_.instance(), name);
+    if (value.is_missing && write_.block().type == "MATLABFcn")
+      throw Untranslated("its formula has the name " + name);
+    return in_formula(value.cells.at(0));
   }
 
   static std::string function(const std::string& name) {
@@ -170,9 +179,19 @@ class Formula {
   int most_ = 0;
 };
 
+/// Returns the formula of an Interpreted MATLAB Function: "sin(u)" of the name alone.
+std::string interpreted(const BlockWriter& write) {
+  const std::string text = write.text("MATLABFcn", "sin");
+  const bool is_name = std::ranges::all_of(text, is_name_part);
+  if (is_name && !is_function(text, 1)) throw Untranslated("its function " + text + " is a file of MATLAB");
+  return is_name ? text + "(u)" : text;
+}
+
 void formula(BlockWriter& write) {
+  const bool is_interpreted = write.block().type == "MATLABFcn";
+  if (!is_interpreted) write.say_default("Expr", "sin(u[1])");
   try {
-    Formula(write, write.text("Expr", "sin(u(1)*exp(2.3*(-u(2))))")).translate();
+    Formula(write, is_interpreted ? interpreted(write) : write.text("Expr", "sin(u[1])")).translate();
   } catch (const ValueError& error) {
     throw Untranslated(std::string("its formula ") + error.what());
   }
@@ -185,7 +204,8 @@ std::vector<Translation> function_translations() {
           {"Sqrt", "`Sqrt`", sqrt},
           {"Trigonometry", "`Trig`, `Atan2`", trigonometry},
           {"Rounding", "`Expression`", rounding},
-          {"Fcn", "`Expression`", formula}};
+          {"Fcn", "`Expression`", formula},
+          {"MATLABFcn", "`Expression` of a formula", formula}};
 }
 
 }  // namespace stepwire::simulink

@@ -193,6 +193,27 @@ std::size_t index_of(const Value& value, std::size_t size) {
   return static_cast<std::size_t>(number) - 1;
 }
 
+bool is_whole(const Value& index) {
+  return index.name == ":";
+}
+
+/// Returns the places of an index, from 0.
+std::vector<std::size_t> places_of(const Value& index, std::size_t size) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; is_whole(index) && i < size; ++i) places.push_back(i);
+  for (const Cell& cell : index.cells) places.push_back(index_of(Value::of(cell), size));
+  return places;
+}
+
+Value chosen(const Value& value, const Value& row_index, const Value& column_index) {
+  const std::vector<std::size_t> rows = places_of(row_index, value.rows),
+                                 columns = places_of(column_index, value.columns);
+  Value result = Value::matrix(rows.size(), columns.size(), 0.0);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t j = 0; j < columns.size(); ++j) result.at(i, j) = value.at(rows[i], columns[j]);
+  return result;
+}
+
 }  // namespace
 
 bool is_function(const std::string& name, std::size_t arguments) {
@@ -219,10 +240,10 @@ Value called(const std::string& name, const std::vector<Value>& arguments) {
 Value indexed(const Value& value, const std::vector<Value>& indices) {
   if (value.is_missing)
     throw ValueError(fmt::format("needs the value of '{}', which is not in the file", value.name));
-  if (indices.size() == 1 && value.is_vector())
-    return Value::of(value.cells[index_of(indices[0], value.cells.size())]);
-  if (indices.size() == 2)
-    return Value::of(value.at(index_of(indices[0], value.rows), index_of(indices[1], value.columns)));
+  if (indices.size() == 1 && value.is_vector() && !is_whole(indices[0]))
+    return chosen(value, value.rows == 1 ? Value::of(1.0) : indices[0],
+                  value.rows == 1 ? indices[0] : Value::of(1.0));
+  if (indices.size() == 2) return chosen(value, indices[0], indices[1]);
   throw ValueError("has an index that is not evaluated");
 }
 

@@ -51,6 +51,7 @@ class Importer {
     fit_step(head, collected_, result_.notes);
     UnitTexts texts(flat_, head, collected_);
     texts.join_units();
+    write_placeholders();
     note_variables();
     note_names();
     settle(texts, head);
@@ -83,7 +84,6 @@ class Importer {
 
   void translate(std::size_t index) {
     BlockWriter write(flat_, index, collected_, result_.notes);
-    const std::string path = flat_.blocks()[index].path;
     const std::size_t known = result_.notes.size();
     try {
       const Translation* translation = translation_of(model_, write.block());
@@ -93,24 +93,33 @@ class Importer {
     } catch (const Untranslated& reason) {
       result_.notes.resize(known);
       write.start_again();
-      add_placeholder(write, path, reason.what());
+      add_placeholder(write, index, reason.what());
     } catch (const ValueError& reason) {
       result_.notes.resize(known);
       write.start_again();
-      add_placeholder(write, path, std::string("a parameter ") + reason.what());
+      add_placeholder(write, index, std::string("a parameter ") + reason.what());
     }
   }
 
-  void add_placeholder(BlockWriter& write, const std::string& path, const std::string& reason) {
+  void add_placeholder(BlockWriter& write, std::size_t index, const std::string& reason) {
+    const std::string path = flat_.blocks()[index].path;
     const std::string file = free_file(valid_name(path).substr(0, 100));
     const std::string used = reference(&write.unit(), file);
-    placeholders_[path_of(used)] = write_placeholder(write, used, reason);
+    use_placeholder(write, used);
+    missing_.push_back({index, path_of(used), reason});
     const std::string library = on_one_line(write.text("SourceBlock"));
     result_.notes.push_back(
         {NoteKind::placeholder, path,
          fmt::format("{}{} is not translated: {}; write its blocks in {}", write.block().type,
                      library.empty() ? "" : " " + library, reason, path_of(used))});
     --result_.translated;
+  }
+
+  void write_placeholders() {
+    const ElementsRead read = elements_read(flat_);
+    for (const Missing& one : missing_)
+      placeholders_[one.path] = placeholder_text(BlockWriter(flat_, one.index, collected_, result_.notes),
+                                                 one.reason, one.index, read);
   }
 
   void record_outports() {
@@ -216,7 +225,14 @@ class Importer {
     }
   }
 
+  /// A block that is not translated.
+  struct Missing {
+    std::size_t index;
+    std::string path, reason;
+  };
+
   const Registry& registry_;
+  std::vector<Missing> missing_;
   ImportResult result_;
   Model model_;
   FlatModel flat_;

@@ -48,7 +48,8 @@ void many_switch(BlockWriter& write) {
 }
 
 void relation(BlockWriter& write) {
-  const std::string sign = write.text("Operator", write.text("relop", "<="));
+  const std::string sign = write.text("Operator", ">=");
+  write.say_default("Operator", ">=");
   if (sign.size() > 2) throw Untranslated("its operator is " + sign);
   write.make("Compare")
       .u()

@@ -30,6 +30,10 @@ class Parser {
   Value run() {
     Value value = range();
     skip();
+    while (peek() == ';' || peek() == ',') {
+      ++at_;
+      skip();
+    }
     if (at_ < text_.size()) fail(fmt::format("has '{}' where its end is expected", text_[at_]));
     return value;
   }
@@ -223,13 +227,19 @@ class Parser {
     return has_arguments ? indexed(value, arguments) : value;
   }
 
+  /// Reads the index of all rows or columns.
+  Value whole_dimension() {
+    ++at_;
+    return {0, 0, {}, ":"};
+  }
+
   std::vector<Value> list() {
     ++at_;
     const bool outer = std::exchange(in_matrix_, false);
     std::vector<Value> values;
     skip();
     while (!take(")")) {
-      values.push_back(range());
+      values.push_back(peek() == ':' ? whole_dimension() : range());
       skip();
       if (!take(",") && peek() != ')') fail("has '(' without ')'");
     }

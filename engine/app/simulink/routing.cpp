@@ -1,6 +1,7 @@
 // Wires of Simulink that join, part and choose signals.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/app/simulink/forms.hpp"
@@ -10,12 +11,20 @@ namespace stepwire::simulink {
 namespace {
 
 void mux(BlockWriter& write) {
-  write.make("Mux").key("u", list_of(write.sources()));
+  int count = write.inputs();
+  if (write.is_written("Inputs") && write.block().type == "Mux") {
+    const Value inputs = write.value("Inputs", "");
+    count = std::max(count, inputs.is_scalar() ? static_cast<int>(inputs.number())
+                                               : static_cast<int>(inputs.cells.size()));
+  }
+  std::vector<yaml::Node> sources;
+  for (int i = 1; i <= std::min(count, 1000); ++i) sources.push_back(word(write.source(i)));
+  write.make("Mux").key("u", list_of(std::move(sources)));
 }
 
 /// Returns the sizes of the pieces of a Demux.
 std::vector<std::size_t> sizes_of(const BlockWriter& write) {
-  const Value outputs = write.value("Outputs", "2");
+  const Value outputs = write.value("Outputs", "4");
   std::vector<std::size_t> sizes;
   if (!outputs.is_scalar()) {
     for (const double size : outputs.numbers()) {

@@ -83,9 +83,9 @@ void sampled_pulse(BlockWriter& write) {
 
 void pulse(BlockWriter& write) {
   require(write, "TimeSource", "Use simulation time");
-  if (write.text("PulseType", "Time based") == "Sample based") return sampled_pulse(write);
-  write.make("Pulse").key("amplitude", "Amplitude", "1").key("period", "Period", "10");
-  write.key("width", divided(write.finite("PulseWidth", "5"), 100.0)).key("delay", "PhaseDelay", "0");
+  if (write.text("PulseType", "Sample based") == "Sample based") return sampled_pulse(write);
+  write.make("Pulse").key("amplitude", "Amplitude", "1").key("period", write.undecided("Period"));
+  write.key("width", divided(write.undecided("PulseWidth"), 100.0)).key("delay", "PhaseDelay", "0");
 }
 
 void generator(BlockWriter& write) {
@@ -115,30 +115,34 @@ void ground(BlockWriter& write) {
   write.output(1, "0");
 }
 
+/// Returns the seed of a source of random numbers; 1 where it is an expression that is not evaluated.
+std::string seed_of(const BlockWriter& write, const char* name, const char* otherwise) {
+  double seed = 1.0;
+  try {
+    seed = std::abs(std::round(write.known(name, otherwise)));
+  } catch (const Untranslated& reason) {
+    write.note(std::string(reason.what()) + "; the seed 1 is written");
+  }
+  write.note("its seed gives another sequence of numbers than in Simulink");
+  return fmt::format("{}", seed);
+}
+
 void random_number(BlockWriter& write) {
   const double variance = write.known("Variance", "1");
-  write.make("Noise")
-      .key("seed", fmt::format("{}", std::abs(std::round(write.known("Seed", "0")))))
-      .key("mean", "Mean", "0");
-  write.key("deviation", fmt::format("{}", std::sqrt(variance))).every("SampleTime", "0.1");
-  write.note("its seed gives another sequence of numbers than in Simulink");
+  write.make("Noise").key("seed", seed_of(write, "Seed", "0")).key("mean", "Mean", "0");
+  write.key("deviation", fmt::format("{}", std::sqrt(variance))).every("SampleTime", "-1");
 }
 
 void uniform_number(BlockWriter& write) {
   const double low = write.known("Minimum", "-1"), high = write.known("Maximum", "1");
-  write.make("Noise")
-      .key("seed", fmt::format("{}", std::abs(std::round(write.known("Seed", "0")))))
-      .key("distribution", "uniform");
-  write.key("mean", fmt::format("{}", (low + high) / 2.0))
-      .key("deviation", fmt::format("{}", (high - low) / std::sqrt(12.0)));
-  write.every("SampleTime", "0.1");
-  write.note("its seed gives another sequence of numbers than in Simulink");
+  write.make("Noise").key("seed", seed_of(write, "Seed", "0")).key("distribution", "uniform");
+  write.key("mean", fmt::format("{}", (low + high) / 2.0));
+  write.key("deviation", fmt::format("{}", (high - low) / std::sqrt(12.0))).every("SampleTime", "-1");
 }
 
 void white_noise(BlockWriter& write) {
-  write.make("Noise").key("seed", fmt::format("{}", std::abs(std::round(write.known("seed", "23341")))));
+  write.make("Noise").key("seed", seed_of(write, "seed", "23341"));
   write.key("power", "Cov", "0.1").every("Ts", "0.1");
-  write.note("its seed gives another sequence of numbers than in Simulink");
 }
 
 void repeating_sequence(BlockWriter& write) {

@@ -32,23 +32,23 @@ Value points_of(BlockWriter& write, int dimension, const std::string& otherwise)
 }
 
 void require_linear(const BlockWriter& write) {
-  const std::string method = write.text("InterpMethod", "Linear point-slope");
+  const std::string method = write.text("InterpMethod", "Linear");
   if (!method.starts_with("Linear")) throw Untranslated("it interpolates by " + method);
   require(write, "DataSpecification", "Table and breakpoints");
 }
 
 void table(BlockWriter& write) {
   require_linear(write);
-  const int dimensions = static_cast<int>(write.known("NumberOfTableDimensions", "1"));
+  const int dimensions =
+      static_cast<int>(write.known("NumberOfTableDimensions", std::to_string(write.inputs())));
   const std::string extrapolation = extrapolation_of(write.text("ExtrapMethod", "Linear"));
   if (dimensions == 1) {
-    write.make("LookupTable").u().key("points", list_node(points_of(write, 1, "[-5:5]")));
-    write.key("values", list_node(write.finite("Table", "tanh([-5:5])")));
+    write.make("LookupTable").u().key("points", list_node(points_of(write, 1, "")));
+    write.key("values", list_node(write.finite("Table", "")));
   } else if (dimensions == 2) {
     write.make("LookupTable2D").key("row", write.source(1)).key("column", write.source(2));
-    write.key("rows", list_node(points_of(write, 1, "[5:7]")))
-        .key("columns", list_node(points_of(write, 2, "[2:4]")));
-    write.key("values", rows_node(write.finite("Table", "[4 5 6;16 19 20;10 18 23]")));
+    write.key("rows", list_node(points_of(write, 1, ""))).key("columns", list_node(points_of(write, 2, "")));
+    write.key("values", rows_node(write.finite("Table", "")));
   } else {
     throw Untranslated(fmt::format("its table has {} dimensions", dimensions));
   }
@@ -63,10 +63,8 @@ void old_table(BlockWriter& write) {
   const auto found = methods.find(method);
   if (found == methods.end()) throw Untranslated("its method is " + method);
   const std::string values = write.text("OutputValues").empty() ? "Table" : "OutputValues";
-  write.make("LookupTable").u().key("points", list_node(write.finite("InputValues", "[-5:5]")));
-  write.key("values", list_node(write.finite(values, "tanh([-5:5])")))
-      .key("extrapolation", found->second)
-      .every();
+  write.make("LookupTable").u().key("points", list_node(write.finite("InputValues", "")));
+  write.key("values", list_node(write.finite(values, ""))).key("extrapolation", found->second).every();
 }
 
 }  // namespace

@@ -35,7 +35,11 @@ TEST_CASE("sources of Simulink have their values and defaults") {
             block("Sin", "Sine", 1,
                   {{"SineType", "Sample based"}, {"Samples", "8"}, {"Offset", "1"}, {"SampleTime", "0.1"}}),
             "0.5") == near(std::sin(2.0 * pi * 6.0 / 8.0)));
-  const P pulse{{"Amplitude", "3"}, {"Period", "2"}, {"PulseWidth", "25"}, {"PhaseDelay", "0.5"}};
+  const P pulse{{"PulseType", "Time based"},
+                {"Amplitude", "3"},
+                {"Period", "2"},
+                {"PulseWidth", "25"},
+                {"PhaseDelay", "0.5"}};
   CHECK(from_source(block("DiscretePulseGenerator", "Pulse", 1, pulse), "0.9") == near(3.0));
   CHECK(from_source(block("DiscretePulseGenerator", "Pulse", 1, pulse), "1.2") == near(0.0));
   CHECK(from_source(block("Clock", "Clock", 1), "0.75") == near(0.75));

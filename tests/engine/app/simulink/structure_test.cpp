@@ -132,8 +132,8 @@ TEST_CASE("an enabled subsystem is a part that holds or resets its states") {
                                port("Inport", "In1", 21) + block("Integrator", "I", 22) +
                                port("Outport", "Out1", 23) + line("21#out:1", {"22#in:1"}) +
                                line("22#out:1", {"23#in:1"});
-    const std::string pulse =
-        block("DiscretePulseGenerator", "Gate", 2, {{"Period", "0.4"}, {"PulseWidth", "50"}});
+    const std::string pulse = block("DiscretePulseGenerator", "Gate", 2,
+                                    {{"PulseType", "Time based"}, {"Period", "0.4"}, {"PulseWidth", "50"}});
     return Imported(ModelText{number(1, "1") + pulse + subsystem("Timer", 3, inside) + sink(4) +
                               line("1#out:1", {"3#in:1"}) + line("2#out:1", {"3#enable"}) +
                               line("3#out:1", {"4#in:1"})})
