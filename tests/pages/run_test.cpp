@@ -100,7 +100,8 @@ void check_shown(const std::vector<std::string>& shown, const std::string& print
   }
 }
 
-/// 1 where a claim is shown to fail, diagrams to differ or blocks to be written, 2 where a place in a file is shown.
+/// 1 where a claim is shown to fail, diagrams to differ or blocks to be missing, 2 where a place in a file is
+/// shown.
 int code_of(const std::vector<std::string>& shown) {
   int code = 0;
   for (const std::string& line : shown) {

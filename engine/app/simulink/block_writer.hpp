@@ -17,7 +17,7 @@ class Untranslated : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What the translation of all blocks collects for the head of the diagram.
+/// Records, conditions and times that the translations of all blocks collect for the head of the diagram.
 struct Collected {
   struct Recorded {
     Unit* unit;
@@ -27,6 +27,7 @@ struct Collected {
   std::vector<Recorded> recorded;
   std::vector<std::string> stops;  ///< conditions that end the run
   std::vector<double> periods;     ///< [s] sample times and offsets
+  double shortest = 1e300;         ///< [s] delay that no step may exceed
   bool has_states = false;         ///< continuous ones
   Widths* widths = nullptr;
   double step = 0.0;  ///< [s] of the configuration, or estimated

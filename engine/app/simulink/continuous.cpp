@@ -95,7 +95,9 @@ void state_space(BlockWriter& write) {
 
 void transport_delay(BlockWriter& write) {
   write.collected().has_states = true;
-  yaml::Node delay = cell_node(write.number("DelayTime", "1"));
+  const Cell time = write.number("DelayTime", "1");
+  if (time.number > 0.0) write.collected().shortest = std::min(write.collected().shortest, time.number);
+  yaml::Node delay = cell_node(time);
   write.make("TransportDelay").u().key("delay", std::move(delay)).key("initial", "InitialOutput", "0");
 }
 

@@ -129,8 +129,7 @@ class Formula {
     if (next == '(')
       result_ += function(name);
     else
-      result_ +=
-          name == "pi" ? name : constant(name);
+      result_ += name == "pi" ? name : constant(name);
     return end;
   }
 

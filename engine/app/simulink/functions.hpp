@@ -8,7 +8,7 @@
 
 namespace stepwire::simulink {
 
-/// True for a function of MATLAB that called() knows with so many arguments; constants such as pi have none.
+/// True for a function that called() evaluates with this number of arguments; constants such as pi have none.
 bool is_function(const std::string& name, std::size_t arguments);
 /// Returns the value of a function. Throws ValueError for arguments that do not fit.
 Value called(const std::string& name, const std::vector<Value>& arguments);

@@ -138,6 +138,8 @@ void fit_step(Head& head, const Collected& collected, std::vector<Note>& notes) 
       base = least;
     }
   }
+  if (!head.is_fixed && collected.shortest < head.step)
+    head.step = head.stop / round_count(head.stop / collected.shortest);
   const double most = head.step;
   if (!head.is_fixed && base > 0.0) head.step = collected.has_states ? base / round_count(base / most) : base;
   const double count = head.stop / head.step;

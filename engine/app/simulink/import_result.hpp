@@ -10,9 +10,9 @@ namespace stepwire::simulink {
 
 /// Kinds of sentences in the report of an import.
 enum class NoteKind {
-  placeholder,  ///< a block without counterpart, whose part has to be written
+  placeholder,  ///< a block without counterpart
   missing,      ///< a value that is not in the file
-  differs,      ///< a parameter that is not translated, or a different meaning
+  differs,      ///< another meaning
   renamed,      ///< a name that is no name here
   fault         ///< a fault of the written diagram
 };

@@ -9,10 +9,10 @@
 
 namespace stepwire::simulink {
 
-// A block without counterpart becomes a part. A run of it ends at its first step, at a block whose name says
-// what to do.
+// A block without counterpart becomes a part. A run of it ends at its first step, at a block whose name is
+// the task.
 
-/// Wires a block to the part that stands for it.
+/// Wires a block to its part.
 void use_placeholder(BlockWriter& write, const std::string& reference);
 
 /// Numbers of elements that other blocks read of outputs, by block and port.

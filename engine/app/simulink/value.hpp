@@ -15,9 +15,9 @@ class ValueError : public std::runtime_error {
 
 /// A number of a MATLAB value, and its formula where it depends on variables of the model.
 struct Cell {
-  double number = 0.0;  ///< NaN where a variable has no value in the file
+  double number = 0.0;  ///< NaN without a value in the file
   std::string text{};   ///< formula of a diagram; empty: the number alone
-  int strength = 9;     ///< of the weakest operator in the formula: 1 sum, 2 product, 3 sign, 4 power, 9 none
+  int strength = 9;     ///< of its weakest operator: 1 sum, 2 product, 3 sign, 4 power, 9 none
 
   /// Returns the formula, or the number in the shortest digits that read back to the same bits.
   std::string formula() const;

@@ -21,6 +21,13 @@ bool has_control(const std::string& statement) {
   });
 }
 
+/// True for names that have another meaning: inputs of an Expression, and keys that --set replaces.
+bool is_taken(const std::string& name) {
+  static const std::set<std::string> keys{"step", "stop", "solver", "tolerance"};
+  const bool is_input = name[0] == 'u' && name.find_first_not_of("0123456789", 1) == name.npos;
+  return is_input || keys.contains(name);
+}
+
 /// Returns the value of a variable as formulas of its parameter.
 Value as_parameter(const std::string& name, const Workspace::Variable& variable) {
   Value value = variable.value;
@@ -97,7 +104,7 @@ void Workspace::assign(const std::string& name, const std::string& expression, c
 }
 
 std::string Workspace::free_name(const std::string& name) {
-  const std::string wanted = valid_name(name);
+  const std::string valid = valid_name(name), wanted = valid + (is_taken(valid) ? "_" : "");
   std::string free = wanted;
   for (int i = 2; !written_.insert(free).second; ++i) free = fmt::format("{}_{}", wanted, i);
   return free;

@@ -101,6 +101,20 @@ TEST_CASE("a variable without a value is named, and the diagram asks for it") {
   CHECK_THROWS_WITH(imported.run(), Contains("mass: 'value' is missing"));
 }
 
+TEST_CASE("variables whose names have another meaning here keep their values") {
+  ModelText model{number(1, "stop + step + time") + block("Fcn", "Fcn", 2, {{"Expr", "u*u1 + x"}}) + sink(3) +
+                  line("1#out:1", {"2#in:1"}) + line("2#out:1", {"3#in:1"})};
+  model.callbacks = {{"PreLoadFcn", "stop = 1; step = 2; time = 4; u1 = 5; x = 9;"}};
+  CHECK(Imported(model).last("y") == near(44.0));
+}
+
+TEST_CASE("a delay that is shorter than the usual step makes the step shorter") {
+  ModelText model{time_source(1) + block("TransportDelay", "D", 2, {{"DelayTime", "0.003"}}) + sink(3) +
+                  line("1#out:1", {"2#in:1"}) + line("2#out:1", {"3#in:1"})};
+  model.solver = {{"Solver", "ode45"}, {"StopTime", "10"}};
+  CHECK(Imported(model).last("y") == near(9.997));
+}
+
 TEST_CASE("statements and branches of callbacks are not executed, and said") {
   ModelText model{number(1, "2") + sink(2) + line("1#out:1", {"2#in:1"})};
   model.callbacks = {{"InitFcn", "load('data.mat')"}, {"PreLoadFcn", "if true\n k = 3;\nend"}};
