@@ -199,26 +199,23 @@ std::string FlatModel::follow_port(Instance& in, const Block& block, const std::
   return found == in.sources.end() ? ground : follow(in, found->second, depth + 1);
 }
 
+std::string FlatModel::no_source(const std::string& path, const std::string& what) {
+  notes_.push_back({NoteKind::fault, path, what + "; 0 is written there"});
+  return ground;
+}
+
 std::string FlatModel::follow(Instance& in, const LineEnd& end, int depth) {
-  if (depth > max_hops) {
-    notes_.push_back(
-        {NoteKind::fault, in.path, "has a loop of wires without any block in it; 0 is written there"});
-    return ground;
-  }
+  if (depth > max_hops) return no_source(in.path, "has a loop of wires without any block in it");
   const auto found = in.by_sid.find(end.sid);
-  if (found == in.by_sid.end()) {
-    notes_.push_back(
-        {NoteKind::fault, in.path,
-         fmt::format("has a line from a block '{}' that is not in the file; 0 is written there", end.sid)});
-    return ground;
-  }
+  if (found == in.by_sid.end())
+    return no_source(in.path, fmt::format("has a line from a block '{}' that is not in the file", end.sid));
   const Block& block = *found->second;
   const int port = end.port.starts_with("out:") ? std::atoi(end.port.c_str() + 4) : 0;
   if (const auto flat = in.flat.find(&block); flat != in.flat.end()) return token(flat->second, port);
   if (block.type == "Inport" || block.type == "InportShadow") return follow_inport(in, block, depth);
   if (block.type == "From") return follow_from(in, block, depth);
   const auto child = in.children.find(&block);
-  if (child == in.children.end()) return ground;
+  if (child == in.children.end()) return no_source(in.path + block.name, "is read and has no signal here");
   const auto outport = child->second->outports.find(port);
   if (outport == child->second->outports.end()) return ground;
   return follow_port(*child->second, *outport->second, "in:1", depth);
@@ -239,9 +236,7 @@ std::string FlatModel::follow_from(Instance& in, const Block& block, int depth) 
     for (auto each = first; each != last; ++each)
       if (each->second.first == scope) return through_units(*in.unit, *scope, *each->second.second, depth);
   if (first != last) return through_units(*in.unit, *first->second.first, *first->second.second, depth);
-  notes_.push_back({NoteKind::fault, in.path + block.name,
-                    fmt::format("reads the tag '{}' that no Goto writes; 0 is written there", tag)});
-  return ground;
+  return no_source(in.path + block.name, fmt::format("reads the tag '{}' that no Goto writes", tag));
 }
 
 std::string FlatModel::through_units(Unit& unit, Instance& goto_in, const Block& goto_block, int depth) {

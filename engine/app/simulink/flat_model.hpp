@@ -54,19 +54,20 @@ struct FlatBlock {
 /// A file of the diagram: the model, or a subsystem that runs on condition.
 struct Unit {
   Unit* parent = nullptr;
-  std::string name;  ///< of the block in the parent; empty for the model
+  std::string name;  ///< of the block in the parent; empty for the model.
   std::string title;
-  std::string file;  ///< path of the part, as its user writes it
+  std::string file;  ///< path of the part, as its user writes it.
   Instance* instance = nullptr;
   std::vector<std::size_t> blocks;
-  std::set<std::string> names;  ///< that are used
+  std::set<std::string> names;  ///< that are used.
   std::map<std::string, int> copies;
-  std::set<std::string> variables;  ///< of the workspace
+  std::set<std::string> variables;  ///< of the workspace.
   std::map<std::string, std::string>
-      tags;                         ///< inputs for tags of Goto outside, with the source in the parent
-  std::vector<std::string> inputs;  ///< by the number of the port
-  std::vector<std::pair<std::string, std::string>> outputs;  ///< names and sources, by the number of the port
-  std::vector<std::string> safe;  ///< values of outputs while it is off; empty: none
+      tags;                         ///< inputs for tags of Goto outside, with the source in the parent.
+  std::vector<std::string> inputs;  ///< by the number of the port.
+  std::vector<std::pair<std::string, std::string>>
+      outputs;                    ///< names and sources, by the number of the port.
+  std::vector<std::string> safe;  ///< values of outputs while it is off; empty: none.
 
   /// Returns a name that is still free, and takes it.
   std::string take_name(const std::string& wanted);
@@ -106,6 +107,8 @@ class FlatModel {
   void add_child(Instance& instance, const Block& block);
   void open_unit(Instance& child);
   std::string follow(Instance& in, const LineEnd& end, int depth);
+  /// Reports a fault of a wire, and returns "0".
+  std::string no_source(const std::string& path, const std::string& what);
   std::string follow_from(Instance& in, const Block& block, int depth);
   std::string follow_inport(Instance& in, const Block& block, int depth);
   std::string through_units(Unit& unit, Instance& goto_in, const Block& goto_block, int depth);

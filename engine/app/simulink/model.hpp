@@ -15,15 +15,14 @@ struct System;
 
 /// A block of a model as its file has it.
 struct Block {
-  std::string type;  ///< BlockType: "Gain"
-  std::string name;  ///< as people see it, on one line
-  std::string sid;   ///< identifier in its model
-  Texts texts;       ///< parameters in the file; those with default values are absent
-  std::vector<std::pair<std::string, std::string>> mask;  ///< parameters of its mask, in order
-  std::string mask_code;                                  ///< initialization of its mask
-  std::string mask_type;
-  std::map<int, std::string> output_names;  ///< names of signals by the port, from 1
-  std::unique_ptr<System> system;           ///< content of a subsystem; nullptr for other blocks
+  std::string type;  ///< BlockType: "Gain".
+  std::string name;  ///< as people see it, on one line.
+  std::string sid;   ///< identifier in its model.
+  Texts texts;       ///< parameters in the file; those with default values are absent.
+  std::vector<std::pair<std::string, std::string>> mask;  ///< parameters of its mask, in order.
+  std::string mask_code;                                  ///< initialization of its mask.
+  std::map<int, std::string> output_names;                ///< names of signals by the port, from 1.
+  std::unique_ptr<System> system;  ///< content of a subsystem; nullptr for other blocks.
 };
 
 /// An end of a line: a block and its port.

@@ -204,7 +204,6 @@ class Reader {
 
   static void read_mask(const xml_node& node, Block& block) {
     const xml_node mask = node.child("Mask");
-    block.mask_type = mask.child("Type").text().get();
     block.mask_code = mask.child("Initialization").text().get();
     for (const xml_node& parameter : mask.children("MaskParameter"))
       block.mask.emplace_back(parameter.attribute("Name").value(), parameter.child("Value").text().get());
@@ -217,7 +216,6 @@ class Reader {
     const auto names = block.texts.find("MaskVariables");
     const auto values = block.texts.find("MaskValueString");
     if (block.texts.contains("MaskInitialization")) block.mask_code = block.texts["MaskInitialization"];
-    if (block.texts.contains("MaskType")) block.mask_type = block.texts["MaskType"];
     if (names == block.texts.end() || values == block.texts.end()) return;
     const std::vector<std::string> variables = parts_of(names->second, ';'),
                                    texts = parts_of(values->second, '|');

@@ -11,12 +11,14 @@ namespace {
 
 void constant(BlockWriter& write) {
   const Value value = write.finite("Value", "1");
-  if (write.unit().parent && value.is_vector()) {
+  // Without VectorParams1D a row is a matrix of one row.
+  const bool is_vector = value.is_vector() && (value.columns == 1 || write.is_on("VectorParams1D", "on"));
+  if (write.unit().parent && is_vector) {
     // A Constant has its value from the start on, also while its part is off.
     write.make("Ramp").key("slope", "0").key("initial", value);
     return;
   }
-  if (value.is_vector()) {
+  if (is_vector) {
     write.make("Constant").key("value", value);
     return;
   }

@@ -35,6 +35,7 @@ void require_linear(const BlockWriter& write) {
   const std::string method = write.text("InterpMethod", "Linear");
   if (!method.starts_with("Linear")) throw Untranslated("it interpolates by " + method);
   require(write, "DataSpecification", "Table and breakpoints");
+  require(write, "UseOneInputPortForAllInputData", "off");
 }
 
 void table(BlockWriter& write) {

@@ -96,6 +96,19 @@ TEST_CASE("a discrete model has the step of its sample times, and no solver") {
   CHECK(imported.last("h") == near(1.0));
 }
 
+TEST_CASE("parameters that are not in the file have the defaults of Simulink, and the report says so") {
+  // 1/(s + 1)^2 answers a step with 1 - (1 + t) exp(-t)
+  CHECK(through(block("TransferFcn", "G", 9), {number(1, "1")}) == near(1.0 - 2.0 * std::exp(-1.0)));
+  CHECK(through(block("UnitDelay", "z", 9), {time_source(1)}, "2.5") == near(1.0));
+  CHECK(through(block("RelationalOperator", "R", 9), {number(1, "2"), number(2, "2")}) == near(1.0));
+  const Imported imported(
+      ModelText{number(1, "1") + block("TransferFcn", "G", 9) + line("1#out:1", {"9#in:1"})});
+  CHECK_THAT(imported.notes(NoteKind::differs), Contains("G: its Denominator is not in the file; [1 2 1]"));
+  const Imported pulse(
+      ModelText{block("DiscretePulseGenerator", "Gate", 1, {{"PulseType", "Time based"}, {"Period", "2"}})});
+  CHECK_THAT(pulse.notes(NoteKind::missing), Contains("'Gate_PulseWidth' has no value in the file"));
+}
+
 TEST_CASE("controllers have their forms") {
   const auto continuous = [](P parameters) {
     return through(reference("slpidlib/PID Controller", "PID Controller", 9, parameters), {number(1, "2")},

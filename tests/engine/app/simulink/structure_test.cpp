@@ -157,6 +157,26 @@ TEST_CASE("an enabled subsystem is a part that holds or resets its states") {
   CHECK(counted("reset") == near(0.2));
 }
 
+TEST_CASE("the outputs of a disabled subsystem have the value that the model gives them") {
+  const std::string inside =
+      block("EnablePort", "Enable", 20) + port("Inport", "In1", 21) + block("Gain", "Gain", 22) +
+      block("Outport", "Out1", 23, {{"OutputWhenDisabled", "reset"}, {"InitialOutput", "-4"}}) +
+      line("21#out:1", {"22#in:1"}) + line("22#out:1", {"23#in:1"});
+  const Imported imported(ModelText{
+      number(1, "7") + block("Step", "Step", 2, {{"Time", "0.5"}, {"Before", "1"}, {"After", "0"}}) +
+      subsystem("S", 3, inside) + sink(4) + line("1#out:1", {"3#in:1"}) + line("2#out:1", {"3#enable"}) +
+      line("3#out:1", {"4#in:1"})});
+  CHECK(imported.last("y") == near(-4.0));
+}
+
+TEST_CASE("a signal of a port block is a fault, and no silent 0") {
+  const std::string inside = block("EnablePort", "Enable", 20, {{"ShowOutputPort", "on"}}) +
+                             port("Outport", "Out1", 23) + line("20#out:1", {"23#in:1"});
+  const Imported imported(ModelText{number(1, "7") + subsystem("S", 3, inside) + sink(4) +
+                                    line("1#out:1", {"3#enable"}) + line("3#out:1", {"4#in:1"})});
+  CHECK_THAT(imported.notes(NoteKind::fault), Contains("S/Enable: is read and has no signal here"));
+}
+
 TEST_CASE("a triggered subsystem takes its inputs at edges") {
   const std::string inside = block("TriggerPort", "Trigger", 20, {{"TriggerType", "rising"}}) +
                              port("Inport", "In1", 21) + port("Outport", "Out1", 23) +
