@@ -16,13 +16,13 @@ struct System;
 /// A block of a model as its file has it.
 struct Block {
   std::string type;  ///< BlockType: "Gain".
-  std::string name;  ///< as people see it, on one line.
-  std::string sid;   ///< identifier in its model.
-  Texts texts;       ///< parameters in the file; those with default values are absent.
-  std::vector<std::pair<std::string, std::string>> mask;  ///< parameters of its mask, in order.
-  std::string mask_code;                                  ///< initialization of its mask.
-  std::map<int, std::string> output_names;                ///< names of signals by the port, from 1.
-  std::unique_ptr<System> system;  ///< content of a subsystem; nullptr for other blocks.
+  std::string name;  ///< As people see it, on one line.
+  std::string sid;   ///< Identifier in its model.
+  Texts texts;       ///< Parameters in the file; those with default values are absent.
+  std::vector<std::pair<std::string, std::string>> mask;  ///< Parameters of its mask, in order.
+  std::string mask_code;                                  ///< Initialization of its mask.
+  std::map<int, std::string> output_names;                ///< Names of signals by the port, from 1.
+  std::unique_ptr<System> system;  ///< Content of a subsystem; nullptr for other blocks.
 };
 
 /// An end of a line: a block and its port.
