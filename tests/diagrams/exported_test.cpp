@@ -5,7 +5,7 @@
 
 #include "blocks/register.hpp"
 #include "engine/app/fmu/unit_export.hpp"
-#include "engine/base/fmi/package.hpp"
+#include "engine/base/archive/archive.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/simulate/run/run.hpp"
 #include "tests/diagrams/diagram_files.hpp"
@@ -46,7 +46,7 @@ Exported export_job(const run::Job& job, int version, const codegen::Compiler& c
                          {.version = version, .name = "unit", .made_by = "a test", .flags = flags}, compiler);
     made.file = stem + ".fmu";
     made.exchanges = unit.no_exchange.empty();
-    io::write_file(made.file, fmi::archive_bytes(unit.files));
+    io::write_file(made.file, archive::archive_bytes(unit.files));
     io::write_file(stem + ".xml", unit.files.at("modelDescription.xml"));
     made.invalid = testing::schema_fault(stem + ".xml", version);
   } catch (const std::exception& error) {

@@ -100,11 +100,12 @@ void check_shown(const std::vector<std::string>& shown, const std::string& print
   }
 }
 
-/// 1 where a claim is shown to fail or diagrams to differ, 2 where a place in a file is shown.
+/// 1 where a claim is shown to fail, diagrams to differ or blocks to be missing, 2 where a place in a file is
+/// shown.
 int code_of(const std::vector<std::string>& shown) {
   int code = 0;
   for (const std::string& line : shown) {
-    if (line.starts_with("  FAIL ")) code = 1;
+    if (line.starts_with("  FAIL ") || line.starts_with("  placeholder ")) code = 1;
     if (std::regex_search(line, std::regex("^    [+~>-] "))) code = 1;
     if (std::regex_search(line, std::regex(R"(^[\w./-]+\.yaml:\d+:\d+: )"))) code = 2;
   }

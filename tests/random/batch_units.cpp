@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/app/fmu/unit_export.hpp"
-#include "engine/base/fmi/package.hpp"
+#include "engine/base/archive/archive.hpp"
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/parallel/parallel.hpp"
@@ -37,7 +37,7 @@ void BatchUnits::make(Wanted& wanted, const codegen::Compiler& compiler) {
         *wanted.plan, codegen::tuning_of(*wanted.plan),
         {.version = wanted.version, .name = "unit", .made_by = "a test", .flags = {"-O0"}}, compiler);
     made.exchanges = unit.no_exchange.empty();
-    io::write_file(made.file, fmi::archive_bytes(unit.files));
+    io::write_file(made.file, archive::archive_bytes(unit.files));
   } catch (const yaml::Error& error) {
     made.refused = error.what();
   } catch (const io::EnvironmentError& error) {

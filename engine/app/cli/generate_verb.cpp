@@ -14,7 +14,7 @@
 #include "engine/app/fmu/unit_export.hpp"
 #include "engine/app/session/loaded_model.hpp"
 #include "engine/app/session/version.hpp"
-#include "engine/base/fmi/package.hpp"
+#include "engine/base/archive/archive.hpp"
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/io/owned_folder.hpp"
@@ -83,7 +83,7 @@ ExitCode generate_unit(const UnitCall& call, const Registry& registry, const ses
   std::string left_out;
   if (compiler.found()) draw(call, registry, options, left_out);
   const fmu::UnitExport made = fmu::export_unit(model.job.plan, tuning, options, compiler);
-  io::write_file(call.out, fmi::archive_bytes(made.files));
+  io::write_file(call.out, archive::archive_bytes(made.files));
   say("{}: {} blocks written to {}, a unit of FMI {} for co-simulation{}\n", call.file,
       model.job.plan.blocks.size(), call.out, call.version,
       made.no_exchange.empty() ? " and model exchange" : "");

@@ -13,6 +13,7 @@
 #include "engine/app/session/result_comparison.hpp"
 #include "engine/app/session/run_result.hpp"
 #include "engine/app/session/studies.hpp"
+#include "engine/app/simulink/import_result.hpp"
 
 namespace stepwire::report {
 
@@ -57,6 +58,7 @@ const std::vector<JobResult>& job_results() {
                                           {"trim", result::record_type<linear::TrimResult>()},
                                           {"coverage", result::record_type<coverage::Coverage>()},
                                           {"mutate", result::record_type<session::MutationResult>()},
+                                          {"import", result::record_type<simulink::ImportResult>()},
                                           {"compare", result::record_type<comparison::RecordingDifference>()},
                                           {"diff", result::record_type<difference::Difference>()},
                                           {"diff_results", result::record_type<session::ResultComparison>()}};

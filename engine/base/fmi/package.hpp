@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -10,10 +9,6 @@
 #include "engine/base/subprocess/scratch_folder.hpp"
 
 namespace stepwire::fmi {
-
-/// Returns a zip archive of these files, keyed by their paths in it. The same files give the same bytes.
-/// Throws UnitError.
-std::string archive_bytes(const std::map<std::string, std::string>& files);
 
 /// Returns the folder of binaries for this platform in a version of FMI: "binaries/x86_64-linux/".
 std::string binary_folder(int version);

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
+#include "engine/base/archive/archive.hpp"
 #include "engine/base/fmi/package.hpp"
 #include "engine/base/fmi/unit_error.hpp"
 #include "engine/base/io/file.hpp"
@@ -268,7 +269,7 @@ TEST_CASE("the sources alone make a binary with the same bits, which shows the f
   INFO(made.errors);
   REQUIRE(made.succeeded());
   files[fmi::binary_folder(3) + "a.so"] = io::read_file(binary);
-  io::write_file(folder.path("after.fmu"), fmi::archive_bytes(files));
+  io::write_file(folder.path("after.fmu"), archive::archive_bytes(files));
   const std::string record = "record: [unit.a]\n";
   CHECK(column(run_text(import_text(before) + record), "unit.a") ==
         column(run_text(import_text(folder.path("after.fmu")) + record), "unit.a"));
@@ -317,7 +318,7 @@ TEST_CASE("a description that does not fit its binary is a fault in one sentence
     auto other = files;
     for (const auto& [what, by] : changes) text::replace_all(other.at("modelDescription.xml"), what, by);
     const std::string path = folder.path("edited.fmu");
-    io::write_file(path, fmi::archive_bytes(other));
+    io::write_file(path, archive::archive_bytes(other));
     return error_of(import_text(path, ", interface: co_simulation") + "record: [unit.a]\n");
   };
   CHECK_THAT(edited({{"instantiationToken=\"{", "instantiationToken=\"{0"}}),

@@ -6,6 +6,7 @@
 
 #include "blocks/register.hpp"
 #include "engine/app/fmu/unit_export.hpp"
+#include "engine/base/archive/archive.hpp"
 #include "engine/base/fmi/package.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/model/diagram/load.hpp"
@@ -43,7 +44,7 @@ std::map<std::string, std::string> unit_files(const Scratch& folder, const std::
 
 std::string exported(const Scratch& folder, const std::string& name, const std::string& yaml, int version) {
   const std::string path = folder.path(name + ".fmu");
-  io::write_file(path, fmi::archive_bytes(unit_files(folder, name, yaml, version)));
+  io::write_file(path, archive::archive_bytes(unit_files(folder, name, yaml, version)));
   return path;
 }
 

@@ -1,0 +1,70 @@
+#include "engine/app/simulink/forms.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace stepwire::simulink {
+
+yaml::Node block_node(const std::string& type, std::vector<std::pair<std::string, yaml::Node>> keys) {
+  yaml::Node node = map_of({{"block", word(type)}});
+  for (auto& [key, value] : keys) add(node, std::move(key), std::move(value));
+  return node;
+}
+
+BlockWriter& expression(BlockWriter& write, const std::string& formula, std::vector<yaml::Node> inputs) {
+  write.make("Expression");
+  write.key("u", inputs.size() == 1 ? inputs[0] : list_of(std::move(inputs)));
+  return write.key("expression", formula);
+}
+
+yaml::Node constant_source(BlockWriter& write, const std::string& suffix, const Value& value) {
+  if (value.is_scalar()) return cell_node(value.cells[0]);
+  return word(write.extra(suffix, block_node("Constant", {{"value", list_node(value)}})));
+}
+
+std::string in_formula(const Cell& cell) {
+  const std::string text = cell.formula();
+  return cell.strength < 9 || text.starts_with("-") ? "(" + text + ")" : text;
+}
+
+Value divided(const Value& value, double by) {
+  return each('/', value, Value::of(by));
+}
+
+void add_reset(BlockWriter& write, const std::string& kind, int input) {
+  if (kind == "none") return;
+  static const std::set<std::string> known{"rising", "falling", "either", "level"};
+  if (!known.contains(kind)) throw Untranslated("its external reset is '" + kind + "'");
+  write.key("reset", write.source(input)).key("trigger", kind);
+}
+
+void require(const BlockWriter& write, const std::string& name, const std::string& only) {
+  const std::string written = write.text(name, only);
+  if (written != only)
+    throw Untranslated(fmt::format("its {} is '{}', and only '{}' has a counterpart", name, written, only));
+}
+
+Value padded(const Value& polynomial, std::size_t count, bool at_end) {
+  Value result{1, polynomial.cells.size(), polynomial.cells};
+  while (result.cells.size() < count) {
+    result.cells.insert(at_end ? result.cells.end() : result.cells.begin(), Cell{0.0});
+    ++result.columns;
+  }
+  return result;
+}
+
+bool is_truth(FlatModel& model, const std::string& source) {
+  const auto at = FlatModel::token_of(source);
+  if (!at) return source == "0";
+  static const std::set<std::string> types{"RelationalOperator", "Logic"};
+  const Block& block = *model.blocks()[at->first].block;
+  if (types.contains(block.type)) return true;
+  const std::string library =
+      block.type == "Reference" ? text_of(model.model(), block, "SourceBlock", "") : "";
+  return library.find("Compare") != library.npos || library.find("Detect") != library.npos ||
+         library.find("Interval") != library.npos;
+}
+
+}  // namespace stepwire::simulink
