@@ -40,7 +40,7 @@ async function dropped(page, from, port, to) {
 test("a refused wire says its reason at the pointer, and changes nothing", {skip: missing}, async () => {
   const studio = await Studio.opened(text), {page} = studio;
   try {
-    await page.getByRole("button", {name: "No, thank you"}).click();
+    await page.getByRole("button", {name: "Dismiss"}).click();
     await page.waitForSelector("[data-shape='cart']");
     const before = await page.locator(".cm-content").textContent();
     for (const [from, port, to, why] of [
@@ -63,7 +63,7 @@ test("a refused wire says its reason at the pointer, and changes nothing", {skip
 test("a wire to an input that has one takes its place, and says of what", {skip: missing}, async () => {
   const studio = await Studio.opened(text), {page} = studio;
   try {
-    await page.getByRole("button", {name: "No, thank you"}).click();
+    await page.getByRole("button", {name: "Dismiss"}).click();
     await page.waitForSelector("[data-shape='heater']");
     await page.locator("[data-shape='net']").hover();
     const output = await page.locator("[data-shape='net'] .port-output").boundingBox(), input = await page.locator("[data-shape='heater'] .port-input").boundingBox();

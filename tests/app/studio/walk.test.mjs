@@ -30,7 +30,7 @@ async function faults(page) {
 async function atSize(width, height, action) {
   const studio = await Studio.opened(text, {width, height});
   try {
-    await studio.page.getByRole("button", {name: "No, thank you"}).click();
+    await studio.page.getByRole("button", {name: "Dismiss"}).click();
     if (width > 720) await studio.page.waitForSelector("[data-shape='cart']");  // on a narrow page it is behind a tab
     await action(studio.page);
     assert.deepEqual(studio.errors, []);
