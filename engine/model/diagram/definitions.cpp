@@ -125,6 +125,7 @@ class Definitions {
     made.uses = std::move(own);
     settings_.offer(full);
     if (written) made.dimension = written->dimension;
+    if (written) made.each = written->each;
     const bool set = replace(entry, full, made, written);
     if (!written) return std::nullopt;
     made.bounds = bounds_of(entry.value);
@@ -178,7 +179,7 @@ class Definitions {
     const yaml::Node* assumed = entry.value.find("assumed");
     const HeadReading read(full, scope_, report_);
     DiagramParameter& listed = report_.diagram().parameters.emplace_back(
-        DiagramParameter{full, written.text, written.value, written.dimension, "", false, set});
+        DiagramParameter{full, written.text, written.value, written.dimension, "", false, set, written.each});
     if (doc) yaml::below(read, "doc").take(*doc, {}, listed.doc);
     if (assumed) yaml::below(read, "assumed").take(*assumed, yaml::form::truth(), listed.assumed);
   }
