@@ -169,7 +169,7 @@ std::string unit_complaint(const std::optional<unit::Dimension>& written,
                            const std::optional<unit::Dimension>& demanded) {
   if (!written || !demanded) return "";
   if (*written == *demanded) return unit::other_meaning_of_number(*written, *demanded);
-  if (*demanded == unit::Dimension{})
+  if (*demanded == unit::Dimension{} && demanded->angle == 0.0)
     return fmt::format("is in {}; it must be a pure number, without a unit", unit::si_name(*written));
   return fmt::format("is in {}; it must be in {}", unit::si_name(*written), unit::si_name(*demanded));
 }

@@ -28,9 +28,11 @@ class Inference : UnitTerms {
     for (const UnitDemand& demand : diagram_.unit_demands) add_demand(demand);
     open().join(equations_);
     equations_.solve(variable_count(), [this](const UnitEquation& equation, const unit::Dimension& wrong,
-                                              const std::optional<unit::Dimension>& element) {
-      if (element) return faults_.add_number(equation, wrong, *element);
-      if (equation.constant.is_one()) return faults_.add(equation, wrong, dimension_at(equation));
+                                              const std::optional<MissedElement>& element) {
+      const bool is_one = equation.constant.is_one();
+      if (element && is_one) return faults_.add_number(equation, wrong, element->unit);
+      if (element) return faults_.add_element(equation, element->index, wrong, element->unit);
+      if (is_one) return faults_.add(equation, wrong, dimension_at(equation));
       add_fault_of_element(equation);
     });
     check_elements();

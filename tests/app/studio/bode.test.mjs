@@ -56,7 +56,7 @@ test("a second loop is added to the analyses that there are, and the file loads"
     for (const block of ["control", "plant"]) {
       await page.locator(`[data-shape='${block}']`).click();
       await page.locator(".canvas").press("b");
-      await page.getByText(`cut behind ${block}.y is added to the text`).first().waitFor();
+      await page.getByText(`opened at ${block}.y is added to the text`).first().waitFor();
     }
     await page.locator(".cm-content").focus();
     await page.keyboard.press("Control+s");

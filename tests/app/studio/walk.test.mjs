@@ -77,7 +77,7 @@ test("a block is inserted, connected, changed and deleted without a mouse", {ski
   await page.locator(".canvas").focus();
   await page.keyboard.press("i");
   await page.getByLabel("Search blocks").fill("Gain");
-  await page.getByLabel("what feeds u").selectOption("cart.velocity");
+  await page.getByLabel("source of u").selectOption("cart.velocity");
   await page.getByLabel("Search blocks").press("Enter");
   await page.waitForSelector("[data-shape='gain']");
   assert.match(await content(), /gain: \{block: Gain, .*u: cart\.velocity\}/);

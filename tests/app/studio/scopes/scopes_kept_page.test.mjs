@@ -16,7 +16,7 @@ test("a scope is saved as a picture, its range as CSV, and copied as a figure", 
   assert.match(picture, /^<svg xmlns="http:\/\/www.w3.org\/2000\/svg"/);
   assert.match(picture, /cart.position<\/text>/);
   assert.ok((picture.match(/<path/g) ?? []).length === 3);
-  await menu(page, 0, "Show against the first signal");
+  await menu(page, 0, "Plot against the first signal");
   await page.waitForFunction(() => studio.board.scopes[0].isAgainst);
   await settled(page);
   const against = await saved("Save the picture as SVG");

@@ -99,26 +99,27 @@ TEST_CASE("an element in another unit than its place is refused with its number"
   CHECK(faults_of(pendulum + "  m: {block: Mass, mass: [2 kg, 3 N], force: [1 N, 1 N]}\n") ==
         std::vector<std::string>{"test.yaml:9:33: m.mass: element 2 of the list is in N; it must be in kg"});
   CHECK(faults_of(pendulum + "  t: {block: LookupTable, u: x, points: [0 mm, 3 s], values: [1 N, 2 N]}\n") ==
-        std::vector<std::string>{"test.yaml:9:50: t.points: element 2 of the list is in s; it must be in m"});
+        std::vector<std::string>{"test.yaml:9:48: t.points: element 2 of the list is in s; it must be in m"});
   CHECK(faults_of(pendulum + "  c: {block: Constant, value: [5 mm, 20 degC]}\n") ==
         std::vector<std::string>{"test.yaml:9:31: c.value: has a temperature in degC beside elements in "
                                  "other units; write it in K"});
   CHECK(faults_of(pendulum + "  c: {block: Constant, value: {value: [5 mm, 2 N], unit: m}}\n").at(0) ==
-        "test.yaml:9:59: c.value: the numbers have units already; leave the key 'unit' out, or write the "
+        "test.yaml:9:58: c.value: the numbers have units already; leave the key 'unit' out, or write the "
         "numbers alone");
 }
 
 TEST_CASE("a parameter of several units passes them on, whole and by element") {
-  const std::string text = "parameters: {start: [1 mm, 20 deg], twice: = 2*start.1}\n" + pendulum +
+  const std::string text = "parameters: {start: [1 mm, 20 deg], first: = start.1}\n" + pendulum +
                            "  i: {block: Integrator, u: [1 mm/s, 2 deg/s], initial: $start}\n"
-                           "  c: {block: Constant, value: $twice}\nrecord: [i, c]\n";
+                           "  c: {block: Constant, value: $first}\nrecord: [i, c]\n";
   CHECK(units_of(text, "i") == "m, rad");
   CHECK(units_of(text, "c") == "m");
-  CHECK(last_row(text)[2] == Approx(2e-3));
+  CHECK(plan_text(text).diagram.parameters.at(0).text == "[1 mm, 20 deg]");
+  CHECK(last_row(text)[2] == Approx(1e-3));
   const auto set = last_row(text, {{"start", "[2 mm, 30 deg]"}});
   CHECK(set[0] == Approx(3e-3));
   CHECK(set[1] == Approx(32.0 * degree));
-  CHECK(set[2] == Approx(4e-3));
+  CHECK(set[2] == Approx(2e-3));
   CHECK(faults_of(text, {{"start", "[2 mm, 3 N]"}})
             .at(0)
             .ends_with("start: element 2 of the list is in N; it must be in rad"));
@@ -129,10 +130,13 @@ TEST_CASE("a parameter of several units passes them on, whole and by element") {
 }
 
 TEST_CASE("a sweep of lists of several units runs each with its numbers") {
-  const auto result = result_of(
-      "parameters: {start: [1 mm, 20 deg]}\nsweep: {start: [[2 mm, 0 deg], [3 mm, "
-      "30 deg]]}\n" +
-      pendulum + "  c: {block: Constant, value: $start}\nrecord: [c]\n");
+  const DiagramFolder folder;
+  folder.write("sweep.yaml",
+               "stepwire: 1\ntitle: t\nparameters: {start: [1 mm, 20 deg]}\n"
+               "sweep: {start: [[2 mm, 0 deg], [3 mm, 30 deg]]}\n" +
+                   pendulum + "  c: {block: Constant, value: $start}\nrecord: [c]\n");
+  Loader loader(library());
+  const auto result = run::run_job(run::make_job(loader, folder.path("sweep.yaml")), {});
   const auto& table = result.recordings.at(0).table;
   const auto& first = table.find("c.1")->values;
   CHECK(first.front() == Approx(2e-3));
@@ -160,7 +164,7 @@ TEST_CASE("a block may declare that the elements of an input have one unit") {
                                "unit; give them one, as by a Gain for each"});
   CHECK(faults_of(pendulum + "  d: {block: Dot, u: [y, y]}\n") ==
         std::vector<std::string>{
-            "test.yaml:9:22: d.u: the product has elements in m^2 and 1, and Dot takes one "
+            "test.yaml:9:23: d.u: the product has elements in m^2 and 1, and Dot takes one "
             "unit; give them one, as by a Gain for each"});
   CHECK(faults_of(pendulum + "  d: {block: Dot, u: [y, [1 N, 1 N m/rad]]}\n").empty());
   Registry registry = blocks();
