@@ -24,6 +24,7 @@ void Derivative::declare(Declare<Derivative>& is) {
            "filter begins at the input, so that y is 0 there whatever the input is; a jump that comes later "
            "gives its peak. Where `initial` is given (a reset: `value`), the filter begins at that. An "
            "explicit solver needs a step below 2 tau (euler) or 2.7 tau (rk4).",
+       .discrete = "DiscretePID with kp: 0 and kd: 1, or SavitzkyGolay",
        .symbol = {.text = "s / {tau} s + 1"},
        .smooth = true});
   is.parameter<&Derivative::tau>({.unit = "s", .doc = "time constant of the filter", .above = 0.0});

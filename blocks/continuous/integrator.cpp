@@ -14,6 +14,7 @@ void Integrator::declare(Declare<Integrator>& is) {
            "goes on from there; `before` is the integral as it arrives at the step, so that what it is reset "
            "to may follow from it: a ball is thrown back by {value: bounce} with bounce a Gain of -0.8 of "
            "v.before.",
+       .discrete = "DiscreteIntegrator",
        .symbol = {.text = "1 / s"},
        .smooth = true});
   is.parameter<&Integrator::lower>({.unit = "'u s", .doc = "lowest value; none where left out"});

@@ -6,6 +6,7 @@ namespace stepwire {
 
 void Lag::declare(Declare<Lag>& is) {
   is.block("Lag", {.doc = "First-order lag: tau dx/dt = gain u - x, y = x.",
+                   .discrete = "DiscreteTransferFunction",
                    .symbol = {.text = "{gain} / {tau} s + 1"},
                    .smooth = true});
   is.parameter<&Lag::tau>({.unit = "s", .doc = "time constant", .above = 0.0});

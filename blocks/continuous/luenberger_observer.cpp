@@ -10,6 +10,7 @@ void LuenbergerObserver::declare(Declare<LuenbergerObserver>& is) {
            {.doc = "Estimates the states of a linear system with a constant gain: dx/dt = A x + B u + L (y - "
                    "C x - D u). Its numbers are SI of what is wired; units are not checked through it.",
             .source = "D. G. Luenberger, IEEE Trans. Automatic Control 16 (1971) 596",
+            .discrete = "DiscreteLuenbergerObserver",
             .symbol = {.text = "observer"},
             .smooth = true});
   declare_linear_observer(is);

@@ -47,6 +47,7 @@ void PID::declare(Declare<PID>& is) {
                    "makes the controller go on from there without a bump. At the first instant and at a "
                    "reset the derivative part is 0; a reference that jumps later gives its peak.",
             .source = "Åström, Hägglund, Advanced PID Control, 2006, sections 3.3 to 3.5",
+            .discrete = "DiscretePID",
             .smooth = true});
   declare_parameters(is);
   is.input<&PID::u>({.unit = "'u", .doc = "error, reference minus measurement"});

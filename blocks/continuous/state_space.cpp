@@ -8,6 +8,7 @@ void StateSpace::declare(Declare<StateSpace>& is) {
   is.block("StateSpace",
            {.doc = "Linear system with several inputs and outputs: dx/dt = A x + B u, y = C x + D u. Its "
                    "numbers are SI of what is wired; units are not checked through it.",
+            .discrete = "DiscreteStateSpace",
             .symbol = {.text = "ẋ = Ax + Bu\ny = Cx + Du"},
             .smooth = true});
   declare_linear_system(is, false);

@@ -12,6 +12,7 @@ void TransferFunction::declare(Declare<TransferFunction>& is) {
                    "Each coefficient may carry its unit, which falls by one s from power to power: "
                    "[2 kg, 8 N s/m, 200 N/m].",
             .source = "controllable canonical form, e.g. Ogata, Modern Control Engineering, section 9-2",
+            .discrete = "DiscreteTransferFunction",
             .symbol = {.text = "{numerator:s|num(s)} / {denominator:s|den(s)}"},
             .smooth = true});
   is.parameter<&TransferFunction::numerator>(

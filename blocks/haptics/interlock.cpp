@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/text/count.hpp"
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire {
@@ -21,8 +22,9 @@ std::string first_cause(const Interlock& interlock) {
 void Interlock::configure(Configure& is) {
   const auto count = static_cast<std::size_t>(is.count<&Interlock::faults>());
   if (!causes.empty() && causes.size() != count)
-    is.refuse<&Interlock::causes>(fmt::format(
-        "there are {} names for {} faults; each needs one, e.g. [force, speed]", causes.size(), count));
+    is.refuse<&Interlock::causes>(fmt::format("{} for {}; each needs one, e.g. [force, speed]",
+                                              text::there_are(causes.size(), "name"),
+                                              text::counted(count, "fault")));
   if (!is.connected<&Interlock::measured>()) is.size("m", 0);
 }
 

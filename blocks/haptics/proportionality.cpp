@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "engine/base/text/count.hpp"
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire {
@@ -12,8 +13,8 @@ void check_points(const Proportionality& block, const Configure& is) {
   const Numbers& points = block.points;
   if (points.size() == 0 || points.size() != block.values.size())
     is.refuse<&Proportionality::points>(
-        fmt::format("there are {} points and {} values; 'law: piecewise' needs a value for each point",
-                    points.size(), block.values.size()));
+        fmt::format("{} and {}; 'law: piecewise' needs a value for each point",
+                    text::there_are(points.size(), "point"), text::counted(block.values.size(), "value")));
   for (Index k = 0; k + 1 < points.size(); ++k)
     if (!(points[k] <= points[k + 1]))
       is.refuse<&Proportionality::points>(

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/text/count.hpp"
 #include "engine/base/text/nearest.hpp"
 
 namespace stepwire {
@@ -230,8 +231,8 @@ void ChartReader::level_outputs() {
     ChartState& state = states_[s];
     if (state.output.empty() && state.parent != none) state.output = states_[state.parent].output;
     if (!state.output.empty() && size > 0 && state.output.size() != size)
-      refuse_(fmt::format("state '{}' has {} outputs and one before has {}; all must have the same number",
-                          state.name, state.output.size(), size),
+      refuse_(fmt::format("state '{}' has {} and one before has {}; all must have the same number",
+                          state.name, text::counted(state.output.size(), "output"), size),
               *trees_[s]);
     size = std::max(size, state.output.size());
   }

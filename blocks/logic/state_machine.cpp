@@ -6,6 +6,7 @@
 
 #include "blocks/logic/chart_reader.hpp"
 #include "engine/base/expression/margin.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire {
@@ -115,8 +116,9 @@ void check_inputs(const StateMachine& machine, std::size_t inputs, const Configu
     is.refuse<&StateMachine::states>(
         fmt::format("{} inputs are more than {}", inputs, StateMachine::max_inputs));
   if (!machine.variables.empty() && machine.variables.size() != inputs)
-    is.refuse<&StateMachine::variables>(
-        fmt::format("there are {} names for {} inputs; each needs one", machine.variables.size(), inputs));
+    is.refuse<&StateMachine::variables>(fmt::format("{} for {}; each needs one",
+                                                    text::there_are(machine.variables.size(), "name"),
+                                                    text::counted(inputs, "input")));
 }
 
 /// Returns the initial state of the chart, from which all others must be reachable.

@@ -17,7 +17,7 @@ void Dot::declare(Declare<Dot>& is) {
               "input of one element counts for every element of the other.",
        .symbol = {.text = "u · v"},
        .smooth = true});
-  is.input<&Dot::u>({.unit = "'u", .doc = "two vectors", .multiply_units = true});
+  is.input<&Dot::u>({.unit = "'u", .doc = "two vectors", .multiply_units = true, .one_unit = true});
   is.output<&Dot::y>({.unit = "'u", .doc = "their product, one number"});
 }
 

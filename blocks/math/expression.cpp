@@ -7,6 +7,7 @@
 
 #include "engine/base/expression/expression_function.hpp"
 #include "engine/base/expression/margin.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire {
@@ -77,8 +78,9 @@ void ExpressionBlock::configure(Configure& is) {
         fmt::format("{} inputs are more than {}; combine some of them in an Expression of their own", inputs,
                     max_inputs));
   if (!variables.empty() && static_cast<Index>(variables.size()) != inputs)
-    is.refuse<&ExpressionBlock::variables>(
-        fmt::format("there are {} names for {} inputs; each needs one", variables.size(), inputs));
+    is.refuse<&ExpressionBlock::variables>(fmt::format("{} for {}; each needs one",
+                                                       text::there_are(variables.size(), "name"),
+                                                       text::counted(inputs, "input")));
   read_formula(*this, inputs, is);
 }
 

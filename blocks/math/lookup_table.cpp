@@ -1,5 +1,6 @@
 #include "blocks/math/lookup_table.hpp"
 
+#include "engine/base/text/count.hpp"
 #include "engine/model/block/declare.hpp"
 
 #include "blocks/math/table_check.hpp"
@@ -9,8 +10,9 @@ namespace stepwire {
 void LookupTable::configure(Configure& is) {
   require_increasing<&LookupTable::points>(is, points);
   if (values.size() != points.size())
-    is.refuse<&LookupTable::values>(
-        fmt::format("has {} elements for {} points; give one for each", values.size(), points.size()));
+    is.refuse<&LookupTable::values>(fmt::format("has {} for {}; give one for each",
+                                                text::counted(values.size(), "element"),
+                                                text::counted(points.size(), "point")));
 }
 
 void LookupTable::declare(Declare<LookupTable>& is) {

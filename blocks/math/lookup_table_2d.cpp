@@ -1,5 +1,6 @@
 #include "blocks/math/lookup_table_2d.hpp"
 
+#include "engine/base/text/count.hpp"
 #include "engine/model/block/declare.hpp"
 
 #include "blocks/math/table_check.hpp"
@@ -10,9 +11,10 @@ void LookupTable2D::configure(Configure& is) {
   require_increasing<&LookupTable2D::rows>(is, rows);
   require_increasing<&LookupTable2D::columns>(is, columns);
   if (values.rows() != rows.size() || values.columns() != columns.size())
-    is.refuse<&LookupTable2D::values>(fmt::format("is {} x {} for {} rows and {} columns; it must be {} x {}",
-                                                  values.rows(), values.columns(), rows.size(),
-                                                  columns.size(), rows.size(), columns.size()));
+    is.refuse<&LookupTable2D::values>(
+        fmt::format("is {} x {} for {} and {}; it must be {} x {}", values.rows(), values.columns(),
+                    text::counted(rows.size(), "row"), text::counted(columns.size(), "column"), rows.size(),
+                    columns.size()));
 }
 
 void LookupTable2D::declare(Declare<LookupTable2D>& is) {

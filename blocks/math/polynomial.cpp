@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/text/count.hpp"
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire {
@@ -10,7 +11,8 @@ void Polynomial::configure(Configure& is) {
   if (coefficients.size() == 0)
     is.refuse<&Polynomial::coefficients>("is empty; give at least one, the highest power first");
   if (hold.size() != 0 && hold.size() != 2)
-    is.refuse<&Polynomial::hold>(fmt::format("has {} numbers; it takes two, [lower, upper]", hold.size()));
+    is.refuse<&Polynomial::hold>(
+        fmt::format("has {}; it takes two, [lower, upper]", text::counted(hold.size(), "number")));
   if (hold.size() == 2 && !(hold[0] < hold[1]))
     is.refuse<&Polynomial::hold>(
         fmt::format("[{}, {}] is no range; the lower end comes first", hold[0], hold[1]));

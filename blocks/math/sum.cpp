@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/text/count.hpp"
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire {
@@ -15,8 +16,8 @@ void Sum::configure(Configure& is) {
     is.refuse<&Sum::signs>(
         fmt::format("{} inputs are more than 64; add some of them in a Sum of their own", inputs));
   if (!each.empty() && static_cast<Index>(each.size()) != inputs)
-    is.refuse<&Sum::signs>(
-        fmt::format("'{}' has {} signs for {} inputs; give one for each", each, each.size(), inputs));
+    is.refuse<&Sum::signs>(fmt::format("'{}' has {} for {}; give one for each", each,
+                                       text::counted(each.size(), "sign"), text::counted(inputs, "input")));
   negative = 0;
   for (std::size_t i = 0; i < each.size(); ++i) negative |= std::uint64_t{each[i] == '-'} << i;
 }

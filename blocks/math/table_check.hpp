@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/text/count.hpp"
 #include "engine/model/block/configure.hpp"
 
 namespace stepwire {
@@ -10,7 +11,8 @@ namespace stepwire {
 template <auto parameter>
 void require_increasing(const Configure& is, const Numbers& points) {
   if (points.size() < 2)
-    is.refuse<parameter>(fmt::format("has {} points; a table needs two or more", points.size()));
+    is.refuse<parameter>(
+        fmt::format("has {}; a table needs two or more", text::counted(points.size(), "point")));
   for (Index i = 1; i < points.size(); ++i)
     if (!(points[i] > points[i - 1]))
       is.refuse<parameter>(

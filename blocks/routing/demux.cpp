@@ -6,6 +6,7 @@
 #include <numeric>
 #include <string>
 
+#include "engine/base/text/count.hpp"
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire {
@@ -19,7 +20,7 @@ constexpr Index max_pieces = 8;
 void Demux::configure(Configure& is) {
   if (sizes.size() == 0 || sizes.size() > max_pieces)
     is.refuse<&Demux::sizes>(
-        fmt::format("names {} pieces; from 1 to {} are possible", sizes.size(), max_pieces));
+        fmt::format("names {}; from 1 to {} are possible", text::counted(sizes.size(), "piece"), max_pieces));
   for (const double size : sizes)
     if (size != std::floor(size))
       is.refuse<&Demux::sizes>(fmt::format("{} is no whole number of elements", size));

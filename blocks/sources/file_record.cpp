@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "blocks/records/row_order.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/base/unit/unit.hpp"
 #include "engine/model/block/configure.hpp"
 
@@ -219,15 +220,15 @@ RecordColumn read_column(const FromFile& asked, const Configure& is, const Recor
 CutRows cut(const FromFile& asked, const Configure& is, const std::vector<double>& time,
             std::vector<std::size_t> rows, Record& record) {
   if (time.size() < 2)
-    is.refuse<&FromFile::file>(
-        fmt::format("{} has {} rows in use; two or more are needed", record.file, time.size()));
+    is.refuse<&FromFile::file>(fmt::format("{} has {} in use; two or more are needed", record.file,
+                                           text::counted(time.size(), "row")));
   const double slack = 1e-6 * (time.back() - time.front()) / static_cast<double>(time.size());
   const auto below = [&](double limit) { return std::lower_bound(time.begin(), time.end(), limit); };
   const auto first = below(asked.from - slack), end = below(asked.to + slack);
   if (end - first < 2)
-    is.refuse<&FromFile::file>(fmt::format("{} has {} rows in use, from {} s to {} s; two or more are needed",
-                                           record.file, std::max<Index>(end - first, 0), time.front(),
-                                           time.back()));
+    is.refuse<&FromFile::file>(fmt::format("{} has {} in use, from {} s to {} s; two or more are needed",
+                                           record.file, text::counted(std::max<Index>(end - first, 0), "row"),
+                                           time.front(), time.back()));
   record.time = record.file_times = std::vector<double>(first, end);
   record.file_rows = {rows.begin() + (first - time.begin()), rows.begin() + (end - time.begin())};
   if (!(record.interval() >= shortest && *first >= -longest && record.time.back() <= longest))

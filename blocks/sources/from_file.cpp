@@ -5,6 +5,7 @@
 #include "blocks/records/preparation.hpp"
 #include "blocks/sources/own_time_declare.hpp"
 #include "blocks/sources/read_samples.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire {
 
@@ -46,8 +47,9 @@ void require_inside(const FromFile& block, const Configure& is) {
 void FromFile::configure(Configure& is) {
   if (column.empty()) is.refuse<&FromFile::column>("names no column; give one or a list");
   if (unit.size() > 1 && unit.size() != column.size())
-    is.refuse<&FromFile::unit>(fmt::format("has {} units for {} columns; give one for all or one for each",
-                                           unit.size(), column.size()));
+    is.refuse<&FromFile::unit>(fmt::format("has {} for {}; give one for all or one for each",
+                                           text::counted(unit.size(), "unit"),
+                                           text::counted(column.size(), "column")));
   const auto record = read_samples(*this, is);
   samples = record->samples;
   smooth = record->smooth;

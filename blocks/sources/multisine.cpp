@@ -9,6 +9,7 @@
 #include "blocks/sources/own_time_declare.hpp"
 #include "engine/base/math/random.hpp"
 #include "engine/base/math/sum_of_squares.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire {
 
@@ -70,8 +71,9 @@ void Multisine::lay_lines(const Configure& is) {
 
 void Multisine::lay_amplitudes(const Configure& is) {
   if (amplitude.size() != 1 && amplitude.size() != omega.size())
-    is.refuse<&Multisine::amplitude>(fmt::format(
-        "has {} values for {} lines; give one for all or one for each", amplitude.size(), omega.size()));
+    is.refuse<&Multisine::amplitude>(fmt::format("has {} for {}; give one for all or one for each",
+                                                 text::counted(amplitude.size(), "value"),
+                                                 text::counted(omega.size(), "line")));
   a = amplitude.size() == 1 ? Numbers(omega.size(), amplitude[0]) : amplitude;
   const SumOfSquares squares = squares_of(a);
   if (squares.scaled() == 0.0)
@@ -81,8 +83,9 @@ void Multisine::lay_amplitudes(const Configure& is) {
 
 void Multisine::lay_phases(const Configure& is) {
   if (phases.size() > 0 && phases.size() != omega.size())
-    is.refuse<&Multisine::phases>(
-        fmt::format("has {} values for {} lines; give one for each", phases.size(), omega.size()));
+    is.refuse<&Multisine::phases>(fmt::format("has {} for {}; give one for each",
+                                              text::counted(phases.size(), "value"),
+                                              text::counted(omega.size(), "line")));
   if (phases.size() > 0) {
     phi = phases;
   } else if (phase == Phase::schroeder) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "blocks/sources/own_time_declare.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire {
 
@@ -12,8 +13,8 @@ void StraightMotion::configure(Configure& is) {
   if (!(length() > 0.0))
     is.refuse<&StraightMotion::direction>("has no length; one element must not be 0, e.g. [0, 1]");
   if (from.size() != direction.size())
-    is.refuse<&StraightMotion::from>(
-        fmt::format("has {} elements, and 'direction' {}; give both as many", from.size(), direction.size()));
+    is.refuse<&StraightMotion::from>(fmt::format("has {}, and 'direction' {}; give both as many",
+                                                 text::counted(from.size(), "element"), direction.size()));
   if (is.connected<&StraightMotion::turn>() && direction.size() != 2)
     is.refuse<&StraightMotion::direction>(fmt::format(
         "has {} elements, but 'turn' is wired, which turns a direction in the plane", direction.size()));

@@ -8,6 +8,7 @@
 
 #include "engine/analyse/kept/kept_numbers.hpp"
 #include "engine/analyse/kept/names.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/stepwire/content.hpp"
 
 namespace stepwire {
@@ -115,7 +116,7 @@ void check_numbers(const InputInfo& input, std::span<const double> numbers) {
     throw yaml::Error(yaml::Fault{{}, input.name, message, {}});
   };
   if (numbers.size() != input.size)
-    refuse(fmt::format("takes {} numbers, not {}", input.size, numbers.size()));
+    refuse(fmt::format("takes {}, not {}", text::counted(input.size, "number"), numbers.size()));
   const auto nan = std::ranges::find_if(numbers, [](double number) { return std::isnan(number); });
   if (nan == numbers.end()) return;
   refuse(numbers.size() == 1

@@ -104,7 +104,7 @@ void check_values() {
   CHECK(contains(refusal([&] { run.set("mass", "1 m"); }), "mass"));
   CHECK(contains(refusal([&] { run.set("mas", 1.0); }), "did you mean 'mass'?"));
   CHECK(contains(refusal([&] { run.set("stop", "2 s"); }), "load the model with this value"));
-  CHECK(contains(refusal([&] { run.set(push, {1.0, 2.0}); }), "takes 1 numbers, not 2"));
+  CHECK(contains(refusal([&] { run.set(push, {1.0, 2.0}); }), "takes 1 number, not 2"));
   run.set(push, {3.0});
   bool refused = false;
   try {

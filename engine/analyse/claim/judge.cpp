@@ -11,6 +11,7 @@
 #include "engine/analyse/claim/run_formula.hpp"
 #include "engine/analyse/statistics/descriptive.hpp"
 #include "engine/analyse/statistics/proportion.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire::claim {
 namespace {
@@ -69,8 +70,9 @@ std::string undecided(const Claim& claim, const Found& found, double confidence,
 
 std::string shown_text(const Claim& claim, const Found& found, double confidence, std::size_t runs) {
   const auto text = [&](double value) { return value_text(claim, value, std::abs(found.value)); };
-  return fmt::format("{} in {} runs ({} to {} at {:g} % confidence)", text(found.value), runs,
-                     text(found.interval.low), text(found.interval.high), 100.0 * confidence);
+  return fmt::format("{} in {} ({} to {} at {:g} % confidence)", text(found.value),
+                     text::counted(runs, "run"), text(found.interval.low), text(found.interval.high),
+                     100.0 * confidence);
 }
 
 /// Adds the numbers of the selected runs, for a claim about a fraction or a quantile of runs. Throws
@@ -92,7 +94,8 @@ void judge_runs(const Claim& claim, const std::vector<double>& numbers, Verdict&
     return;
   }
   if (undefined > 0) {
-    verdict.note = fmt::format("the value is not a number in {} of {} runs", undefined, numbers.size());
+    verdict.note =
+        fmt::format("the value is not a number in {} of {}", undefined, text::counted(numbers.size(), "run"));
     return;
   }
   const double confidence = claim.confidence.value_or(shown_confidence);

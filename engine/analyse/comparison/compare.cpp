@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/analyse/comparison/sampling.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/base/unit/meaning.hpp"
 
 namespace stepwire::comparison {
@@ -274,7 +275,7 @@ SignalDifference compare_signal(const TraceIndex& a, const TraceIndex& b, const 
   all.name = name;
   all.unit = a.unit(name).empty() ? b.unit(name) : a.unit(name);
   if (a.runs(name) != b.runs(name)) {
-    all.notes.push_back(fmt::format("A has {} runs and B {}", a.runs(name), b.runs(name)));
+    all.notes.push_back(fmt::format("A has {} and B {}", text::counted(a.runs(name), "run"), b.runs(name)));
     all.agrees = false;
   }
   all.difference = difference_in(all.unit, all.difference);

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "engine/base/text/count.hpp"
 #include "engine/base/unit/unit.hpp"
 
 namespace stepwire::comparison {
@@ -85,8 +86,9 @@ void TraceIndex::add(const std::string& name, const table::Column& time, const t
                      std::vector<std::string>& faults) {
   const bool constant = values.values.size() == 1;
   if (!constant && values.values.size() != time.values.size())
-    return faults.push_back(fmt::format("'{}' has {} rows and '{}' {}; a signal has a value for each time",
-                                        values.name, values.values.size(), time.name, time.values.size()));
+    return faults.push_back(fmt::format("'{}' has {} and '{}' {}; a signal has a value for each time",
+                                        values.name, text::counted(values.values.size(), "row"), time.name,
+                                        time.values.size()));
   const auto [at, is_new] = signals_.try_emplace(name, Signal{values.unit, {}});
   if (is_new) names_.push_back(name);
   if (at->second.unit != values.unit)

@@ -1,4 +1,5 @@
 #include "engine/analyse/estimation/residuals.hpp"
+#include "engine/base/text/count.hpp"
 
 #include <fmt/format.h>
 
@@ -83,11 +84,12 @@ Residuals::Residuals(const ModelRuns& runs, const FitRequest& request, unsigned 
     for (const FitComparison& comparison : request.comparisons) free_offsets_ += comparison.free_offset;
   }
   if (sought && static_cast<std::size_t>(count_) <= unknowns_.size() + free_offsets_)
-    throw yaml::Error(yaml::Fault{request.place,
-                                  "fit",
-                                  fmt::format("{} rows are compared, too few for {} unknown numbers", count_,
-                                              unknowns_.size() + free_offsets_),
-                                  {}});
+    throw yaml::Error(
+        yaml::Fault{request.place,
+                    "fit",
+                    fmt::format("{} rows are compared, too few for {}", count_,
+                                text::counted(unknowns_.size() + free_offsets_, "unknown number")),
+                    {}});
 }
 
 void Residuals::find_unknowns() {

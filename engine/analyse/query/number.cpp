@@ -124,8 +124,10 @@ double rounded(double value, int digits) {
 }
 
 std::string short_number(double value, int digits) {
-  // Prints -0 as 0.
-  return fmt::format("{:.{}g}", value == 0.0 ? 0.0 : value, digits);
+  constexpr double most_whole = 1e15;  // all digits of a double fit
+  if (value == 0.0) return "0";        // also -0
+  if (std::abs(value) < most_whole && value == std::trunc(value)) return fmt::format("{:.0f}", value);
+  return fmt::format("{:.{}g}", value, digits);
 }
 
 }  // namespace stepwire::query

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/analyse/query/number.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire::sensitivity {
 
@@ -70,8 +71,8 @@ std::pair<std::size_t, std::size_t> needed_samples(const Request& request) {
 std::string note_on(const Request& request, const Outcome& outcome, const std::vector<double>& numbers) {
   const auto missing = std::ranges::count_if(numbers, [](double number) { return std::isnan(number); });
   if (missing > 0)
-    return fmt::format("'{}' is not a number in {} of {} runs, so no parameter can be judged by it",
-                       outcome.name, missing, numbers.size());
+    return fmt::format("'{}' is not a number in {} of {}, so no parameter can be judged by it", outcome.name,
+                       missing, text::counted(numbers.size(), "run"));
   const auto [runs, least] = needed_samples(request);
   if (const std::size_t samples = numbers.size() / runs; samples < least)
     return fmt::format("'{}' has {} {}, and {} are needed for all of these numbers: raise 'samples'",

@@ -14,6 +14,7 @@
 #include "engine/analyse/statistics/no_number.hpp"
 #include "engine/analyse/statistics/rounding.hpp"
 #include "engine/analyse/statistics/statistics_error.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire::statistics {
 namespace {
@@ -298,8 +299,8 @@ void describe_design(Anova& result, const Observations& observations, const std:
   }
   result.balanced = empty == 0 && least == most;
   const std::string each = least == most ? fmt::format("{}", most) : fmt::format("{} to {}", least, most);
-  result.design =
-      fmt::format("{} values in {} cells of {}", observations.values.size(), all.size() - empty, each);
+  result.design = fmt::format("{} in {} of {}", text::counted(observations.values.size(), "value"),
+                              text::counted(all.size() - empty, "cell"), each);
   if (empty > 0) result.design += fmt::format("; {} of {} combinations were not observed", empty, all.size());
 }
 

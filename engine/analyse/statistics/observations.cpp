@@ -6,18 +6,20 @@
 #include <cmath>
 
 #include "engine/analyse/statistics/statistics_error.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire::statistics {
 namespace {
 
 void check_factor(const Factor& factor, std::size_t count) {
   if (factor.level.size() != count)
-    throw StatisticsError(fmt::format("the factor '{}' has {} observations, the response {}", factor.name,
-                                      factor.level.size(), count));
+    throw StatisticsError(fmt::format("the factor '{}' has {}, the response {}", factor.name,
+                                      text::counted(factor.level.size(), "observation"), count));
   for (const std::size_t level : factor.level)
     if (level >= factor.levels.size())
-      throw StatisticsError(fmt::format("the factor '{}' has {} levels, and an observation has level {}",
-                                        factor.name, factor.levels.size(), level + 1));
+      throw StatisticsError(fmt::format("the factor '{}' has {}, and an observation has level {}",
+                                        factor.name, text::counted(factor.levels.size(), "level"),
+                                        level + 1));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "engine/analyse/study/comparison_tables.hpp"
+#include "engine/base/text/count.hpp"
 
 #include <fmt/format.h>
 
@@ -37,10 +38,10 @@ text::TextTable intervals_table(const statistics::WithinSubjects& within, const 
       "Intervals" + of,
       {"mean of", "mean", "from", "to", "within subjects from", "to"},
       {},
-      {fmt::format("95 % confidence, {} subjects. From, to: Student's t of the values as they are. Within "
-                   "subjects: without what tells subjects apart as a whole (Cousineau 2005, Morey 2008). A "
-                   "difference whose interval has 0 outside is significant at 0.05, uncorrected.",
-                   within.table.subjects.size())}};
+      {fmt::format("95 % confidence, {}. From, to: Student's t of the values as they are. Within subjects: "
+                   "without what tells subjects apart as a whole (Cousineau 2005, Morey 2008). A difference "
+                   "whose interval has 0 outside is significant at 0.05, uncorrected.",
+                   text::counted(within.table.subjects.size(), "subject"))}};
   for (std::size_t i = 0; i < within.means.size(); ++i) {
     const statistics::MeanInterval& one = within.means[i];
     table.rows.push_back({within.table.conditions[i], digits(one.mean), digits(one.plain.low),
@@ -118,12 +119,12 @@ text::TextTable power_table(const statistics::WithinSubjects& within, const std:
       "Power" + of,
       {"effect", "d_z", "power (t)", "power (simulated)", "subjects (t)", "subjects (simulated)"},
       {},
-      {fmt::format("Power: of a study of {} subjects at 0.05, uncorrected, were the effect seen the true "
-                   "one; it follows from P and says nothing beyond it. Subjects: needed for a power of "
-                   "{:g}. t: noncentral t, for normal differences. Simulated: {} experiments whose "
-                   "subjects are drawn from those seen (seed {}), up to {} of them.",
-                   within.table.subjects.size(), statistics::wanted_power, simulation.experiments, seed,
-                   simulation.most_subjects)}};
+      {fmt::format("Power: of a study of {} at 0.05, uncorrected, were the effect seen the true one; it "
+                   "follows from P and says nothing beyond it. Subjects: needed for a power of {:g}. t: "
+                   "noncentral t, for normal differences. Simulated: {} experiments whose subjects are drawn "
+                   "from those seen (seed {}), up to {} of them.",
+                   text::counted(within.table.subjects.size(), "subject"), statistics::wanted_power,
+                   simulation.experiments, seed, simulation.most_subjects)}};
   for (const statistics::PowerRow& row : statistics::power_rows(within, simulation))
     table.rows.push_back({row.of, digits(row.d_z), digits(row.power), digits(row.simulated),
                           counted(row.needed, std::isfinite(row.d_z), 10000),

@@ -7,6 +7,7 @@
 #include "engine/analyse/study/comparison_tables.hpp"
 #include "engine/analyse/study/distribution.hpp"
 #include "engine/analyse/study/side_by_side.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
 namespace stepwire::study {
@@ -235,8 +236,9 @@ void fill_sweep_tables(const Experiments& experiments, const StudyRequest& reque
   const std::string which = first.others.empty() ? ""
                                                  : fmt::format(", of experiment 1 of {} (seed {})",
                                                                first.others.size() + 1, first.seed);
-  const std::string of = fmt::format(" of task {}, {} subjects{} ({})", request.task, request.subjects.size(),
-                                     which, whose_trials(request));
+  const std::string of =
+      fmt::format(" of task {}, {}{} ({})", request.task, text::counted(request.subjects.size(), "subject"),
+                  which, whose_trials(request));
   std::vector<std::vector<query::NamedTable>> of_points;
   for (const Experiment& experiment : experiments)
     fill_study_tables(experiment, request, of_points.emplace_back(empty_study_tables()));

@@ -11,6 +11,7 @@
 #include "engine/analyse/tuning/constraint.hpp"
 #include "engine/analyse/tuning/search.hpp"
 #include "engine/analyse/tuning/search_items.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire::tuning {
 namespace {
@@ -297,8 +298,9 @@ class Tuning {
   void note_bad() {
     const auto first = std::ranges::find_if(result_.history, &Evaluation::is_bad);
     if (first == result_.history.end()) return;
-    result_.findings.push_back(fmt::format("{} of {} evaluations gave nothing to compare, the first since {}",
-                                           result_.bad, result_.history.size(), first->fault));
+    result_.findings.push_back(fmt::format("{} of {} gave nothing to compare, the first since {}",
+                                           result_.bad, text::counted(result_.history.size(), "evaluation"),
+                                           first->fault));
   }
 
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();

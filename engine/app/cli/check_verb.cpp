@@ -11,6 +11,7 @@
 #include "engine/app/cli/watch.hpp"
 #include "engine/app/report/run_text.hpp"
 #include "engine/base/data_file/reading_log.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire::cli {
 
@@ -44,8 +45,8 @@ ExitCode check(const session::LoadedModel& model, const ModelCall& call, Json& r
   }
   print_notes(model);
   if (call.units) put_text(report::units_text(model.job.plan));
-  say("{}: {} blocks, {} claims, {} figures: nothing wrong\n", model.file, diagram.blocks.size(),
-      model.claims.size(), model.figures.size());
+  say("{}: {}, {}, {}: nothing wrong\n", model.file, text::counted(diagram.blocks.size(), "block"),
+      text::counted(model.claims.size(), "claim"), text::counted(model.figures.size(), "figure"));
   say_files();
   return ExitCode::done;
 }

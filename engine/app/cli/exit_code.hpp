@@ -11,9 +11,9 @@ namespace stepwire::cli {
 
 /// Exit codes, which scripts rely on. If several apply, the greatest wins.
 enum class ExitCode {
-  done = 0,          ///< Success; all claims hold.
-  fails = 1,         ///< Failed claim, search without convergence, replay with differences, loop that missed.
-  wrong = 2,         ///< Fault in the diagram or the call, also one that only the run reveals.
+  done = 0,   ///< Success; all claims hold.
+  fails = 1,  ///< Failed claim, note with --strict, search without convergence, differences, missed loop.
+  wrong = 2,  ///< Fault in the diagram or the call, also one that only the run reveals.
   surroundings = 3,  ///< Disk full, gnuplot missing, data folder absent, no permission.
   interrupted = 130
 };

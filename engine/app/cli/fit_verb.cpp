@@ -27,7 +27,8 @@ Action declare_fit(CLI::App& verb) {
 Verb fit_verb() {
   return {"fit", "find parameters of diagram files from records, then run them",
           "Example:\n  stepwire fit press.yaml --starts 8 --out out/press\n"
-          "The exit code is 1 without convergence; all files are written.",
+          "The exit code is 1 without convergence, and with --strict also where a note doubts the fit; all "
+          "files are written.",
           declare_fit};
 }
 

@@ -20,6 +20,7 @@
 #include "engine/base/io/owned_folder.hpp"
 #include "engine/base/subprocess/process.hpp"
 #include "engine/base/text/characters.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/model/block/registry.hpp"
 #include "engine/simulate/codegen/program_files.hpp"
 #include "engine/simulate/codegen/tuning.hpp"
@@ -84,8 +85,8 @@ ExitCode generate_unit(const UnitCall& call, const Registry& registry, const ses
   if (compiler.found()) draw(call, registry, options, left_out);
   const fmu::UnitExport made = fmu::export_unit(model.job.plan, tuning, options, compiler);
   io::write_file(call.out, archive::archive_bytes(made.files));
-  say("{}: {} blocks written to {}, a unit of FMI {} for co-simulation{}\n", call.file,
-      model.job.plan.blocks.size(), call.out, call.version,
+  say("{}: {} written to {}, a unit of FMI {} for co-simulation{}\n", call.file,
+      text::counted(model.job.plan.blocks.size(), "block"), call.out, call.version,
       made.no_exchange.empty() ? " and model exchange" : "");
   if (!made.no_exchange.empty()) say("  no model exchange: {}\n", made.no_exchange);
   if (!left_out.empty()) say("  left out: {}\n", left_out);
@@ -134,8 +135,8 @@ ExitCode write_program(const GenerateCall& call, const std::string& name, const 
     io::write_file(target.string(), text);
   }
   const std::string folder = text::shell_word(call.out), build = text::shell_word(call.out + "/build");
-  say("{}: {} blocks written to {}; cmake -S {} -B {} -G Ninja && cmake --build {} makes a program\n",
-      call.file, model.job.plan.blocks.size(), call.out, folder, build, build);
+  say("{}: {} written to {}; cmake -S {} -B {} -G Ninja && cmake --build {} makes a program\n", call.file,
+      text::counted(model.job.plan.blocks.size(), "block"), call.out, folder, build, build);
   if (codegen::needs_eigen(files))
     say("  to compile it needs the headers of Eigen 3 (Debian package libeigen3-dev), for its solver or "
         "blocks\n");

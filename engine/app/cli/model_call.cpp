@@ -6,6 +6,7 @@
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/session/fault_json.hpp"
 #include "engine/base/data_file/reading_log.hpp"
+#include "engine/base/yaml/yaml_text.hpp"
 #include "engine/model/diagram/unread.hpp"
 
 namespace stepwire::cli {
@@ -18,6 +19,7 @@ void add_model_options(CLI::App& verb, ModelCall& call) {
   verb.add_option("--stop", call.words.stop, "stop time in place of the file's, e.g. 2s");
   verb.add_flag("--units", call.units, "print the unit of every wire");
   verb.add_flag("--json", call.json, "print the result as JSON");
+  verb.add_flag("--strict", call.strict, "exit with 1 where a note is printed, as where a claim fails");
 }
 
 namespace {
@@ -38,18 +40,20 @@ void append_file(const std::string& path, std::vector<diagram::Setting>& setting
   const char* const form = "a file of settings has lines such as 'rig.mass: 2 kg'";
   if (!document.root.is_map()) throw yaml::Error(yaml::Fault{{path, document.root.mark}, "", form, {}});
   for (const yaml::Entry& entry : document.root.entries) {
-    if (!entry.value.is_scalar())
+    if (!entry.value.is_scalar() && !entry.value.is_list())
       throw yaml::Error(yaml::Fault{{path, entry.value.mark}, entry.key, form, {}});
-    settings.push_back({entry.key, entry.value.text, path, entry.value.mark});
+    const std::string text = entry.value.is_list() ? yaml::yaml_line(entry.value) : entry.value.text;
+    settings.push_back({entry.key, text, path, entry.value.mark});
   }
 }
 
 /// Loads a file and performs the action on it, with a log of the conversions of its data files.
-ExitCode load_and_act(const Registry& registry, const std::string& file, const session::LoadOptions& options,
-                      const ModelAction& action, Json& results) {
+ExitCode load_and_act(const ModelCall& call, const Registry& registry, const std::string& file,
+                      const session::LoadOptions& options, const ModelAction& action, Json& results) {
   const data_file::ReadingLog log;
   session::LoadedModel model = session::load_model(registry, file, options);
-  return action(model, results);
+  const bool unread = !diagram::unread_blocks(model.job.plan.diagram).empty();
+  return worst(action(model, results), call.code_of_notes(unread));
 }
 
 }  // namespace
@@ -78,7 +82,7 @@ session::LoadOptions load_options(const LoadWords& words) {
 static ExitCode act_on(const ModelCall& call, const Registry& registry, const std::string& file,
                        const session::LoadOptions& options, const ModelAction& action, Json& results) {
   try {
-    return load_and_act(registry, file, options, action, results);
+    return load_and_act(call, registry, file, options, action, results);
   } catch (const std::exception& error) {
     if (call.refused) call.refused(file, error.what());
     throw;

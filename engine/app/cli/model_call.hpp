@@ -38,11 +38,15 @@ struct ModelCall {
   unsigned threads = 0;     ///< Threads for several runs of a file; 0: all cores.
   bool units = false;
   bool json = false;
+  bool strict = false;  ///< A note makes the exit code that of a failed claim.
   /// Called with each file that could not be loaded or run, and the reason.
   std::function<void(const std::string& file, const std::string& fault)> refused{};
+
+  /// Returns the exit code of an action with or without a note.
+  ExitCode code_of_notes(bool any) const { return strict && any ? ExitCode::fails : ExitCode::done; }
 };
 
-/// Declares FILE..., --set, --set-from, --large, --stop, --units, --json.
+/// Declares FILE..., --set, --set-from, --large, --stop, --units, --json, --strict.
 void add_model_options(CLI::App& verb, ModelCall& call);
 
 /// Action on one loaded file. Results for --json are pushed to the list.

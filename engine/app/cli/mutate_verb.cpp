@@ -12,6 +12,7 @@
 #include "engine/app/session/fault_json.hpp"
 #include "engine/app/session/mutating.hpp"
 #include "engine/base/text/characters.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire::cli {
 namespace {
@@ -24,9 +25,9 @@ struct MutateCall {
 };
 
 std::string mutations_text(const session::MutationResult& result) {
-  std::string text = fmt::format("{}\n  {} mutations: {} noticed by {} claims, {} survive, {} refused\n",
-                                 result.file, result.mutations.size(), result.noticed(), result.claims,
-                                 result.survived(), result.refused());
+  std::string text = fmt::format("{}\n  {}: {} noticed by {}, {} survive, {} refused\n", result.file,
+                                 text::counted(result.mutations.size(), "mutation"), result.noticed(),
+                                 text::counted(result.claims, "claim"), result.survived(), result.refused());
   for (const session::TriedMutation& one : result.mutations)
     if (one.outcome == session::MutationOutcome::survives)
       text += fmt::format("  FAIL {}: {} in place of {} breaks no claim\n", text::visible(one.what),

@@ -10,6 +10,7 @@
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/report/model_report.hpp"
 #include "engine/base/io/file.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire::cli {
 namespace {
@@ -44,7 +45,7 @@ ExitCode write_report(const ReportCall& call, const Registry& registry) {
   const std::string title = reports.size() == 1 ? reports.front().entry.title : call.path;
   const std::string page = gallery::report_page(title, reports);
   io::write_file(call.out, page);
-  say("{}: {} of {} diagrams\n", call.out, reports.size(), files.size());
+  say("{}: {} of {}\n", call.out, reports.size(), text::counted(files.size(), "diagram"));
   if (call.pdf.empty()) return code;
   report::print_page(page, call.pdf);
   say("{}\n", call.pdf);

@@ -264,7 +264,7 @@ class FileRun {
       return session_.tune(model, call);
     }();
     if (!folder.empty() && !result.history.empty()) session::write_tune(folder, model, result);
-    const ExitCode code = code_of(result);
+    const ExitCode code = worst(code_of(result), call_.models.code_of_notes(!result.findings.empty()));
     if (call_.models.json)
       results.push(Json::object().set("tune", result::json_of(result)));
     else
@@ -284,7 +284,7 @@ class FileRun {
       return session_.fit(model, call);
     }();
     if (!folder.empty() && !result.records.empty()) session::write_fit(folder, model, result);
-    const ExitCode code = code_of(result);
+    const ExitCode code = worst(code_of(result), call_.models.code_of_notes(!result.findings.empty()));
     if (call_.models.json)
       results.push(Json::object().set("fit", result::json_of(result)));
     else
@@ -310,14 +310,22 @@ class FileRun {
       if (profile) result.set("profile", result::json_of(report::ProfileReport{*profile}));
       put_coverage(model, folder, &result);
       results.push(std::move(result));
-      return code_of(outcome);
+      return judged(model, outcome);
     }
     if (call_.models.units) put_text(report::units_text(model.job.plan));
     put_outcome(model, outcome);
     if (profile) put_text(report::profile_text(model, *profile));
     put_coverage(model, folder, nullptr);
     say_where(folder);
-    return code_of(outcome);
+    return judged(model, outcome);
+  }
+
+  /// Returns the exit code of a run, with --strict also by its notes.
+  ExitCode judged(const session::LoadedModel& model, const session::Outcome& outcome,
+                  bool remarked = false) const {
+    const bool noted =
+        remarked || !outcome.result.diagnostics.empty() || !session::findings_of(model, outcome).empty();
+    return worst(code_of(outcome), call_.models.code_of_notes(noted));
   }
 
   /// Returns the observers of the runs: that of the branches, and that of the rows.
@@ -437,15 +445,17 @@ class FileRun {
       session::write_outputs(folder, model, outcome, use_.files, call_.pictures);
       session::write_study(folder, model, *experiments, outcome);
     }
+    const bool remarked =
+        std::ranges::any_of(*experiments, [](const auto& one) { return !one.remarks.empty(); });
     if (call_.models.json) {
       Json result = run_json(model, outcome);
       results.push(result.set("study", result::json_of(session::StudyReport{&model, experiments.get()})));
-      return code_of(outcome);
+      return judged(model, outcome, remarked);
     }
     put_text(report::study_text(model, *experiments));
     put_outcome(model, outcome);
     say_where(folder);
-    return code_of(outcome);
+    return judged(model, outcome, remarked);
   }
 
   const RunCall& call_;

@@ -6,6 +6,7 @@
 
 #include "engine/app/language/signal_list.hpp"
 #include "engine/base/text/characters.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire::language {
 
@@ -33,7 +34,7 @@ void connect_item(TreeEdits& edits, const yaml::Node& list, std::optional<std::s
                   const std::string& source) {
   if (!item && list.items.size() == 1) item = 0;
   if (item.value_or(list.items.size()) > list.items.size())
-    throw EditRefused(fmt::format("this list has {} signals", list.items.size()));
+    throw EditRefused(fmt::format("this list has {}", text::counted(list.items.size(), "signal")));
   if (!item || *item == list.items.size()) return edits.add_item(list, source);
   edits.replace(list.items[*item], source);
 }

@@ -82,7 +82,8 @@ Json input_json(const InputSpec& spec) {
       .set("feedthrough", spec.feedthrough)
       .set("optional", spec.optional)
       .set("list", spec.list)
-      .set("multiply_units", spec.multiply_units);
+      .set("multiply_units", spec.multiply_units)
+      .set("one_unit", spec.one_unit);
 }
 
 Json output_json(const OutputSpec& spec) {

@@ -77,9 +77,20 @@ ReferenceTable words_of(const yaml::Key& key, const std::string& path) {
   return table;
 }
 
+/// Adds words, or their key to the title of a table with the same words.
+void add_words(const yaml::Key& form, const std::string& path, std::vector<ReferenceTable>& tables) {
+  ReferenceTable table = words_of(form, path);
+  const auto known =
+      std::ranges::find_if(tables, [&](const ReferenceTable& one) { return one.rows == table.rows; });
+  if (known == tables.end())
+    tables.push_back(std::move(table));
+  else if (!known->title.ends_with(" " + path))
+    known->title += ", " + path;
+}
+
 void add_tables(const yaml::Key& form, const std::string& path, std::vector<ReferenceTable>& tables) {
   if (form.form == Form::word && !form.words.empty() && !form.words.front().doc.empty())
-    tables.push_back(words_of(form, path));
+    add_words(form, path, tables);
   if (form.form != Form::keys) return add_inner(form, path, tables);
   ReferenceTable table = keys_of(form, path);
   drop_empty_columns(table);

@@ -9,6 +9,7 @@
 #include "engine/analyse/query/number.hpp"
 #include "engine/app/session/fitting.hpp"
 #include "engine/base/text/characters.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire::report {
 
@@ -109,8 +110,9 @@ std::string summary(const estimation::FitResult& result) {
   for (const estimation::FittedRecord& record : result.records) rows += record.held_out ? 0 : record.rows;
   if (result.numbers.empty())
     return fmt::format("fit: the call sets all parameters, by which {} rows are predicted\n", rows);
-  std::string text = fmt::format("fit: {} numbers, {} rows, {:.3g} s{}", result.numbers.size(), rows,
-                                 result.seconds, result.compiled ? ", compiled" : "");
+  std::string text =
+      fmt::format("fit: {}, {}, {:.3g} s{}", text::counted(result.numbers.size(), "number"),
+                  text::counted(rows, "row"), result.seconds, result.compiled ? ", compiled" : "");
   if (result.starts.size() > 1)
     text += fmt::format("; {} starts, {} of them to the end", result.starts.size(), finished);
   if (result.interrupted) return text + "; interrupted: this is the best so far\n";

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/analyse/query/number.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/base/text/text_table.hpp"
 
 namespace stepwire::report {
@@ -155,8 +156,9 @@ std::string rank_text(const char* what, const linear::Rank& rank, std::size_t st
   for (const double value : rank.singular_values)
     if (values.size() < most_singular_values) values.push_back(short_number(value, 3));
   const std::size_t others = rank.singular_values.size() - values.size();
-  return fmt::format("{} states of {} are {} (singular values {}{}){}\n", rank.rank, states, what,
-                     fmt::join(values, ", "), others == 0 ? "" : fmt::format(" and {} others", others),
+  return fmt::format("{} of {} {} {} (singular values {}{}){}\n", text::counted(rank.rank, "state"), states,
+                     rank.rank == 1 ? "is" : "are", what, fmt::join(values, ", "),
+                     others == 0 ? "" : fmt::format(" and {} others", others),
                      rank.certain ? "" : "; not certain: a direction is close to rounding");
 }
 
@@ -173,12 +175,13 @@ void add_rows(const char* kind, const std::vector<linear::TrimmedValue>& values,
 
 std::string linear_text(const linear::Analysis& analysis) {
   const linear::StateSpace& system = analysis.system;
-  std::string text = fmt::format(
-      "{} at {} s: {} states, {} inputs, {} outputs, {}\n{}\n\n", analysis.file,
-      short_number(analysis.time, 6), system.states.size(), system.inputs.size(), system.outputs.size(),
-      system.is_sampled() ? fmt::format("sampled at {} s", short_number(system.sample_time, 6))
-                          : "continuous",
-      analysis.method);
+  std::string text =
+      fmt::format("{} at {} s: {}, {}, {}, {}\n{}\n\n", analysis.file, short_number(analysis.time, 6),
+                  text::counted(system.states.size(), "state"), text::counted(system.inputs.size(), "input"),
+                  text::counted(system.outputs.size(), "output"),
+                  system.is_sampled() ? fmt::format("sampled at {} s", short_number(system.sample_time, 6))
+                                      : "continuous",
+                  analysis.method);
   text += matrix_text("A", system.A, system.states, system.states) +
           matrix_text("B", system.B, system.states, system.all_inputs()) +
           matrix_text("C", system.C, system.all_outputs(), system.states) +
@@ -202,9 +205,9 @@ std::string trim_text(const linear::TrimResult& result) {
   add_rows("state", result.states, table);
   add_rows("input", result.inputs, table);
   add_rows("output", result.outputs, table);
-  std::string text = fmt::format("{}: {} after {} steps, largest residual {}\n\n{}", result.file,
-                                 result.converged ? "found" : "NOT found", result.iterations,
-                                 query::short_number(result.largest, 3), text::text(table));
+  std::string text = fmt::format(
+      "{}: {} after {}, largest residual {}\n\n{}", result.file, result.converged ? "found" : "NOT found",
+      text::counted(result.iterations, "step"), query::short_number(result.largest, 3), text::text(table));
   if (result.converged) return text;
   for (const auto& [channel, value] : result.residuals)
     text += fmt::format("  {} is off by {}\n", channel.name, query::short_number(value, 4));

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "engine/app/session/run_files.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/view/plot/bar_chart.hpp"
 #include "engine/view/plot/plot_builder.hpp"
 
@@ -68,8 +69,9 @@ std::string head_text(std::size_t width) {
 
 std::string loop_cost_text(const run::LoopCost& loop) {
   return fmt::format(
-      "    algebraic loop {}: {} unknowns, {} iterations at {} instants, {:.3g} on the mean, {} at most\n",
-      loop.path, loop.unknowns, loop.iterations, loop.instants,
+      "    algebraic loop {}: {}, {} at {}, {:.3g} on the mean, {} at most\n", loop.path,
+      text::counted(loop.unknowns, "unknown"), text::counted(loop.iterations, "iteration"),
+      text::counted(loop.instants, "instant"),
       static_cast<double>(loop.iterations) / static_cast<double>(std::max<std::int64_t>(1, loop.instants)),
       loop.most);
 }

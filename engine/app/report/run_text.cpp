@@ -1,12 +1,14 @@
 #include "engine/app/report/run_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
 
 #include "engine/analyse/query/number.hpp"
 #include "engine/base/text/characters.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/base/unit/meaning.hpp"
 #include "engine/model/diagram/block_keys.hpp"
 #include "engine/model/diagram/output_names.hpp"
@@ -79,15 +81,29 @@ std::string settings_text(const session::LoadedModel& model) {
 
 }  // namespace
 
+/// Returns the unit of an output, or those of its elements: "m, rad, not known".
+static std::string units_of(const diagram::Diagram& diagram, std::size_t block, std::size_t output) {
+  const auto name = [](const std::optional<unit::Dimension>& dimension) {
+    return dimension ? unit::si_name(*dimension) : std::string("not known");
+  };
+  for (const diagram::ElementDimensions& one : diagram.element_dimensions) {
+    if (one.block != static_cast<int>(block) || one.output != static_cast<int>(output)) continue;
+    std::vector<std::string> names;
+    for (const auto& dimension : one.each) names.push_back(name(dimension));
+    return fmt::format("{}", fmt::join(names, ", "));
+  }
+  return name(diagram.output_dimensions[block][output]);
+}
+
 std::string outcome_text(const session::LoadedModel& model, const session::Outcome& outcome) {
   const diagram::Diagram& diagram = model.job.plan.diagram;
   const std::size_t runs = std::max<std::size_t>(1, model.job.points.size());
-  std::string text =
-      fmt::format("{}\n  {}: {} blocks, {}{} ticks, {:.3g} s\n",
-                  text::visible(diagram.title.empty() ? model.file : diagram.title),
-                  text::visible(model.file), diagram.blocks.size(),
-                  runs > 1 ? fmt::format("{} runs, ", runs) : "", outcome.result.ticks, outcome.seconds) +
-      settings_text(model);
+  std::string text = fmt::format("{}\n  {}: {}, {}{}, {:.3g} s\n",
+                                 text::visible(diagram.title.empty() ? model.file : diagram.title),
+                                 text::visible(model.file), text::counted(diagram.blocks.size(), "block"),
+                                 runs > 1 ? fmt::format("{} runs, ", runs) : "",
+                                 text::counted(outcome.result.ticks, "tick"), outcome.seconds) +
+                     settings_text(model);
   std::size_t held = 0;
   for (const claim::Verdict& verdict : outcome.verdicts) {
     if (verdict.kind == claim::Claim::Kind::invariant && verdict.holds)
@@ -120,13 +136,11 @@ std::string units_text(const plan::Plan& plan) {
   for (std::size_t b = 0; b < diagram.blocks.size(); ++b) {
     const diagram::DiagramBlock& block = diagram.blocks[b];
     for (std::size_t o = 0; o < block.type().outputs.size(); ++o) {
-      const auto& dimension = diagram.output_dimensions[b][o];
       const std::string port = diagram::output_name(block.name, block.type(), o);
       const plan::SignalSlot& slot = plan.blocks[b].outputs[o];
       const std::string shape =
           slot.size == 1 ? "" : fmt::format(" ({})", plan::shape_text(slot.size, slot.columns));
-      text += fmt::format("  {:<40} {}{}\n", text::visible(port),
-                          dimension ? unit::si_name(*dimension) : "not known", shape);
+      text += fmt::format("  {:<40} {}{}\n", text::visible(port), units_of(diagram, b, o), shape);
     }
   }
   return text;

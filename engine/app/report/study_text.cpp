@@ -4,6 +4,7 @@
 
 #include "engine/analyse/study/study_tables.hpp"
 #include "engine/base/text/characters.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
 namespace stepwire::report {
@@ -13,8 +14,9 @@ std::string study_text(const session::LoadedModel& model, const study::Experimen
   std::size_t trials = 0;
   for (const study::Experiment& experiment : experiments) trials += experiment.trials.size();
   std::string result =
-      fmt::format("study: task {}, {} subjects, {} trials ({}){}\n", request.task,
-                  request.subject_names().size(), trials, study::whose_trials(request),
+      fmt::format("study: task {}, {}, {} ({}){}\n", request.task,
+                  text::counted(request.subject_names().size(), "subject"), text::counted(trials, "trial"),
+                  study::whose_trials(request),
                   experiments.size() == 1 ? "" : fmt::format(", {} studies of a sweep", experiments.size()));
   for (const study::Experiment& experiment : experiments)
     for (const std::string& remark : experiment.remarks)

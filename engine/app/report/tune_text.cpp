@@ -7,6 +7,7 @@
 
 #include "engine/analyse/query/number.hpp"
 #include "engine/base/text/characters.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire::report {
 
@@ -76,8 +77,8 @@ std::string tuning_summary(const tuning::TuneResult& result) {
   if (result.history.empty())
     return "tune: interrupted before the first run was done, so that there is nothing yet to write\n";
   if (result.numbers.empty()) return "tune: the call sets all parameters, which are looked at as they are\n";
-  std::string text =
-      fmt::format("tune: {} parameters, {} evaluations", result.numbers.size(), result.history.size());
+  std::string text = fmt::format("tune: {}, {}", text::counted(result.numbers.size(), "parameter"),
+                                 text::counted(result.history.size(), "evaluation"));
   if (result.runs > 1) text += fmt::format(" of {} runs each", result.runs);
   text += fmt::format(", {:.3g} s{}; {}", result.seconds, result.compiled ? ", compiled" : "", result.method);
   if (result.starts.size() > 1) {

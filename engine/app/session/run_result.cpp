@@ -124,17 +124,34 @@ static void declare(Record<RunRepository>& is) {
   is.field("sha256", &RunRepository::sha256, "hash of its files");
 }
 
+/// Returns a number, a list, the rows of a matrix, or the text of another value.
+static json::Json value_of(const diagram::DiagramParameter& of) {
+  if (const double* number = std::get_if<double>(&of.value.content)) return json::Json(*number);
+  if (const auto* vector = std::get_if<Eigen::VectorXd>(&of.value.content))
+    return json::Json::list_of(*vector);
+  const auto* matrix = std::get_if<Eigen::MatrixXd>(&of.value.content);
+  if (!matrix) return json::Json(of.text);
+  json::Json rows = json::Json::list();
+  for (const auto& row : matrix->rowwise()) rows.push(json::Json::list_of(Eigen::VectorXd(row.transpose())));
+  return rows;
+}
+
+static json::Json units_of(const diagram::DiagramParameter& of) {
+  json::Json units = json::Json::list();
+  for (const auto& unit : of.each) units.push(unit ? json::Json(unit::si_name(*unit)) : json::Json());
+  return units;
+}
+
 static void declare(Record<RunParameter>& is) {
   is.named("RunParameter", "A parameter of the file.");
   is.field("name", &RunParameter::name, "name");
   is.field(
-      "value",
-      [](const RunParameter& of) {
-        const double* number = std::get_if<double>(&of.value.content);
-        return number ? json::Json(*number) : json::Json(of.text);
-      },
-      "number in SI, or text");
-  is.field("unit", &RunParameter::dimension, "SI unit; null if unknown");
+      "value", [](const RunParameter& of) { return value_of(of); },
+      "number, list of numbers, or rows of a matrix, in SI; or text");
+  is.field("unit", &RunParameter::dimension, "SI unit; null if unknown, or if the elements have several");
+  is.field(
+      "units", [](const RunParameter& of) { return units_of(of); },
+      "SI units of the elements, null without one, a matrix column by column; empty for one common unit");
   is.field("written", &RunParameter::text, "value as written or set");
   is.field("assumed", &RunParameter::assumed, "true if the file marks it as assumed");
   is.field("set", &RunParameter::set, "true if the call sets it");

@@ -14,6 +14,7 @@
 
 #include "engine/base/control/control_fault.hpp"
 #include "engine/base/control/riccati.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire::control {
 
@@ -53,10 +54,8 @@ using ComplexMatrix = Eigen::MatrixXcd;
 std::vector<Complex> read_poles(const Matrix& poles, Eigen::Index order) {
   const bool is_list = poles.cols() == 1 || (poles.rows() == 1 && poles.cols() != 2);
   if ((is_list ? poles.size() : poles.rows()) != order || (!is_list && poles.cols() != 2))
-    throw ControlFault(
-        fmt::format("there are {} states, and each has a pole: a list of {} real numbers, or {} "
-                    "rows [re, im]",
-                    order, order, order));
+    throw ControlFault(fmt::format("{}, and each has a pole: a list of {} real numbers, or {} rows [re, im]",
+                                   text::there_are(order, "state"), order, order));
   std::vector<Complex> real, pairs, below;
   for (Eigen::Index i = 0; i < order; ++i) {
     const Complex pole = is_list ? Complex(poles.reshaped()[i]) : Complex(poles(i, 0), poles(i, 1));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/base/text/count.hpp"
 #include "engine/base/unit/unit.hpp"
 #include "engine/base/yaml/error.hpp"
 
@@ -13,8 +14,8 @@ namespace stepwire::fmi {
 namespace {
 
 bool may_be_set(const Variable& variable) {
-  return variable.type != Type::other && variable.starts_exact && variable.causality != Causality::structural &&
-         variable.causality != Causality::calculated;
+  return variable.type != Type::other && variable.starts_exact &&
+         variable.causality != Causality::structural && variable.causality != Causality::calculated;
 }
 
 bool is_flag(Type type) {
@@ -52,8 +53,8 @@ yaml::Message unknown(const Description& description, const std::string& name) {
   std::vector<std::string> names;
   for (const Variable& variable : description.variables)
     if (may_be_set(variable)) names.push_back(variable.name);
-  const std::string all = names.empty() ? "it has nothing that can be set"
-                                        : fmt::format("it has: {}", fmt::join(names, ", "));
+  const std::string all =
+      names.empty() ? "it has nothing that can be set" : fmt::format("it has: {}", fmt::join(names, ", "));
   return fmt::format("the unit has no '{}' that can be set", name) + yaml::did_you_mean(name, names, all);
 }
 
@@ -64,7 +65,9 @@ ReadAssignment read_assignment(const Description& description, const std::string
   for (const Variable& variable : description.variables) {
     if (variable.name != name || !may_be_set(variable)) continue;
     if (values.size() != variable.size)
-      return {{}, fmt::format("'{}' has {} numbers, and {} are given", name, variable.size, values.size())};
+      return {{},
+              fmt::format("'{}' has {}, and {} are given", name, text::counted(variable.size, "number"),
+                          values.size())};
     Assignment read{&variable, {}};
     for (const std::string& text : values) {
       const auto quantity = quantity_of(variable, text);

@@ -10,6 +10,7 @@
 #include "engine/base/mat/mat_elements.hpp"
 #include "engine/base/mat/mat_unreadable.hpp"
 #include "engine/base/table/table_file.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire::mat {
 namespace {
@@ -179,8 +180,9 @@ std::vector<double> values_of(const Head& head, MatElements& parts) {
   if (one == 0 || (broken && head.type >= first_integer))
     throw table::TableError(fmt::format("its numbers are of type {}, which they cannot be", element.type));
   if (element.bytes.size() != mat_count(head.size) * one)
-    throw table::TableError(fmt::format("it is {} and has {} bytes of numbers, not {}", size_text(head.size),
-                                        element.bytes.size(), mat_count(head.size) * one));
+    throw table::TableError(fmt::format("it is {} and has {} of numbers, not {}", size_text(head.size),
+                                        text::counted(element.bytes.size(), "byte"),
+                                        mat_count(head.size) * one));
   std::vector<double> values = parts.numbers(element);
   if (head.type == single)
     for (double& value : values) value = static_cast<double>(static_cast<float>(value));
@@ -202,7 +204,8 @@ std::vector<std::string> texts_of(const Head& head, MatElements& parts) {
     texts.push_back(text_of(parts.inside(cell)));
   }
   if (texts.size() != count)
-    throw table::TableError(fmt::format("it is {} and has {} cells", size_text(head.size), texts.size()));
+    throw table::TableError(
+        fmt::format("it is {} and has {}", size_text(head.size), text::counted(texts.size(), "cell")));
   return texts;
 }
 

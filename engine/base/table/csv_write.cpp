@@ -9,6 +9,7 @@
 #include "engine/base/io/atomic_file_writer.hpp"
 #include "engine/base/table/csv_cell.hpp"
 #include "engine/base/table/table_file.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire::table {
 
@@ -56,8 +57,9 @@ void append_row(std::string& text, const Table& table, const WordsOfColumns& wor
 void check_lengths(const Table& table) {
   for (const Column& column : table.columns) {
     if (column.values.size() == table.rows()) continue;
-    throw TableError(fmt::format("column '{}' has {} rows, '{}' has {}", column.name, column.values.size(),
-                                 table.columns.front().name, table.rows()));
+    throw TableError(fmt::format("column '{}' has {}, '{}' has {}", column.name,
+                                 text::counted(column.values.size(), "row"), table.columns.front().name,
+                                 table.rows()));
   }
 }
 

@@ -59,6 +59,7 @@ struct BlockType {
   std::string declared_at;    ///< Location of the declaration, "blocks/math/gain.cpp:12".
   std::string not_real_time;  ///< Reason why a real-time loop refuses it; empty without one.
   std::string delayed_by;     ///< Input that has the time of an exact delay; empty for other blocks.
+  std::string discrete;       ///< Block with a period in the place of this continuous one; may be empty.
   std::string not_generated;  ///< Reason, except a missing header, against code generation; may be empty.
 
   std::vector<ParameterSpec> parameters;

@@ -192,6 +192,8 @@ struct BlockOptions {
   /// Name of the input that has the delay time [s] of an exact delay. The first output is the first input,
   /// which has no feedthrough, this time ago. Linear analyses put exp(-s T) in the place of the block.
   std::string delayed_by = "";
+  /// Block to use with a period in place of this continuous one: "DiscretePID". Empty without one.
+  std::string discrete = "";
   Symbol symbol{};
   /// The outputs are constant between crossings.
   bool steady = false;
@@ -234,6 +236,8 @@ struct InputOptions {
   bool feedthrough = true;
   bool optional = false;
   bool multiply_units = false;
+  /// The elements are added, or compared with each other, so they must be in one unit.
+  bool one_unit = false;
 };
 
 struct OutputOptions {
@@ -362,6 +366,7 @@ class Declare {
     type_.source = std::move(options.source);
     type_.not_real_time = std::move(options.not_real_time);
     type_.delayed_by = std::move(options.delayed_by);
+    type_.discrete = std::move(options.discrete);
     type_.symbol = std::move(options.symbol);
     type_.steady = options.steady;
     type_.at_events = options.at_events;
@@ -444,7 +449,8 @@ class Declare {
                    is.feedthrough,
                    is.optional,
                    std::is_same_v<Port, Inputs>,
-                   is.multiply_units};
+                   is.multiply_units,
+                   is.one_unit};
     if constexpr (std::is_same_v<Port, Inputs>) {
       spec.bind_list = [](void* block, const Inputs::Element* elements, Eigen::Index count) {
         of<member>(block).bind(elements, count);

@@ -76,6 +76,7 @@ struct InputSpec {
   bool optional = false;
   bool list = false;
   bool multiply_units = false;  ///< a list whose unit variable is the product of its elements' units
+  bool one_unit = false;        ///< elements in different units are refused
   void (*bind)(void* block, const double* data, Eigen::Index size) = nullptr;  ///< nullptr for a list
   void (*bind_list)(void* block, const Inputs::Element* elements,
                     Eigen::Index count) = nullptr;  ///< nullptr for a single input

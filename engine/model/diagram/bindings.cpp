@@ -40,11 +40,12 @@ class Acceptance {
       : definition_(definition), scope_(scope), full_name_(full_name), uses_(uses), report_(report) {}
 
   void check_unit(WrittenValue& value, const Origin& origin) {
-    if (!value.dimension) value.dimension = definition_.dimension;
-    const std::string complaint = unit_complaint(value.dimension, definition_.dimension);
-    if (complaint.empty()) return;
-    report_.add(origin, full_name_, fmt::format("{} {}", value.text, complaint));
-    value.dimension = definition_.dimension;  // prevents the same fault at all its uses
+    const bool is_bare = !value.dimension && value.each.empty();
+    const std::string fault = is_bare                    ? ""
+                              : definition_.each.empty() ? unit_fault(value, definition_.dimension)
+                                                         : each_fault(value);
+    if (!fault.empty()) report_.add(origin, full_name_, fault);
+    if (is_bare || !fault.empty()) take_units(value);  // prevents the same fault at all its uses
   }
 
   bool in_bounds(const WrittenValue& value, const Origin& origin) {
@@ -61,13 +62,43 @@ class Acceptance {
   }
 
  private:
+  static std::size_t size_of(const WrittenValue& value) {
+    if (const auto* vector = std::get_if<Eigen::VectorXd>(&value.value.content))
+      return static_cast<std::size_t>(vector->size());
+    const auto* matrix = std::get_if<Eigen::MatrixXd>(&value.value.content);
+    return matrix ? static_cast<std::size_t>(matrix->size()) : 1;
+  }
+
+  /// Gives a value the units of the definition.
+  void take_units(WrittenValue& value) const {
+    value.dimension = definition_.dimension;
+    const bool has_size = size_of(value) == definition_.each.size();
+    value.each = has_size ? definition_.each : EachUnit{};
+  }
+
+  /// Returns the fault of a value with units where the definition has several; empty if they agree.
+  std::string each_fault(const WrittenValue& value) const {
+    const EachUnit& demanded = definition_.each;
+    if (size_of(value) != demanded.size())
+      return fmt::format("{} must have {} elements, since the file gives one unit for each", value.text,
+                         demanded.size());
+    for (std::size_t k = 0; k < demanded.size(); ++k)
+      if (const std::string complaint =
+              unit_complaint(value.each.empty() ? value.dimension : value.each[k], demanded[k]);
+          !complaint.empty())
+        return fmt::format("element {} of {} {}", k + 1, value.text, complaint);
+    return "";
+  }
+
   std::optional<double> read(const yaml::Entry& bound, const WrittenValue& value) {
     const std::string subject = full_name_ + "." + bound.key;
     const auto limit = ValueReader(scope_, report_, definition_.scope, &uses_).read(bound.value, subject);
     if (!limit) return std::nullopt;
     const double* number = std::get_if<double>(&limit->value.content);
-    const std::string complaint = number ? unit_complaint(limit->dimension, value.dimension)
-                                         : std::string("is no number, and a bound is one");
+    const auto wrong = wrong_element(value.each, limit->dimension);
+    const std::string complaint =
+        number ? unit_complaint(limit->dimension, wrong ? value.each[*wrong] : value.dimension)
+               : std::string("is no number, and a bound is one");
     if (complaint.empty()) return *number;
     report_.add({definition_.scope, bound.value.mark}, subject,
                 fmt::format("'{}' {}", limit->text, complaint));

@@ -25,6 +25,7 @@ struct Definition {
       bounds;  ///< `above`, `at_least`, `below`, `at_most`, read with the parameters of its file
   std::optional<unit::Dimension> dimension;  ///< of the file's own value; all other values must have it
   ParameterUses uses;
+  EachUnit each{};  ///< units of its elements in several; `dimension` is then nullopt
 };
 
 /// Owner of a value.

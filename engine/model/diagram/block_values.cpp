@@ -199,8 +199,7 @@ std::optional<WrittenValue> ValueReader::read_for(const ParameterSpec& spec,
   auto written = are_coefficients(spec) ? read_coefficients(*this, report_, spec, value_node, subject)
                                         : read(value_node, subject);
   if (!written) return std::nullopt;
-  const std::string complaint = unit_complaint(written->dimension, demanded);
-  if (!complaint.empty()) return refuse(node, subject, fmt::format("{} {}", written->text, complaint));
+  if (has_wrong_unit(spec, *written, demanded, node, subject)) return std::nullopt;
   auto value = convert(spec, *written, node, subject);
   if (!value) return std::nullopt;
   if (const auto* matrix = std::get_if<Eigen::MatrixXd>(&written->value.content);
@@ -209,6 +208,21 @@ std::optional<WrittenValue> ValueReader::read_for(const ParameterSpec& spec,
   written->value = std::move(*value);
   if (!in_range(spec, *written, node, subject)) return std::nullopt;
   return written;
+}
+
+bool ValueReader::has_wrong_unit(const ParameterSpec& spec, const WrittenValue& written,
+                                 const std::optional<unit::Dimension>& demanded, const yaml::Node& node,
+                                 const std::string& subject) const {
+  // Lists of their own length, such as the points of a table, are in one unit.
+  const bool is_alike = spec.kind == ParameterKind::vector && spec.unit.find('\'') != std::string::npos;
+  const auto first = std::ranges::find_if(written.each, [](const auto& unit) { return unit.has_value(); });
+  const auto wanted = is_alike && first != written.each.end() ? *first : demanded;
+  const std::string fault = unit_fault(written, wanted);
+  if (fault.empty()) return false;
+  const auto wrong = wrong_element(written.each, wanted);
+  const bool has_items = wrong && node.items.size() == written.each.size();
+  refuse(has_items ? node.items[*wrong] : node, subject, fault);
+  return true;
 }
 
 std::optional<Value> ValueReader::convert(const ParameterSpec& spec, const WrittenValue& written,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/base/yaml/yaml_text.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/keys.hpp"
 
@@ -125,13 +126,14 @@ class Definitions {
     made.uses = std::move(own);
     settings_.offer(full);
     if (written) made.dimension = written->dimension;
+    if (written) made.each = written->each;
     const bool set = replace(entry, full, made, written);
     if (!written) return std::nullopt;
     made.bounds = bounds_of(entry.value);
     for (yaml::Entry& bound : made.bounds) bound.value = reader.with_formulas(bound.value, true);
     if (!accepts(made, scope_.parameters, *written, value_origin_, full, made.uses, report_))
       return std::nullopt;
-    list(full, entry, *written, set);
+    list(full, entry, *written, made.text.node).set = set;
     report_.bindings().definitions.push_back(std::move(made));
     return written;
   }
@@ -173,14 +175,24 @@ class Definitions {
     return setting != nullptr;
   }
 
-  void list(const std::string& full, const yaml::Entry& entry, const WrittenValue& written, bool set) {
+  /// Returns the text of a value; that of a list reads back to the same numbers.
+  static std::string text_of(const yaml::Node& node, const WrittenValue& written) {
+    const yaml::Node* value = node.is_map() ? node.find("value") : &node;
+    if (!value || !value->is_list()) return written.text;
+    return yaml::yaml_line(node.find("unit") ? node : *value);
+  }
+
+  /// Adds a parameter to those of the diagram. `node` is the text of its value.
+  DiagramParameter& list(const std::string& full, const yaml::Entry& entry, const WrittenValue& written,
+                         const yaml::Node& node) {
     const yaml::Node* doc = entry.value.find("doc");
     const yaml::Node* assumed = entry.value.find("assumed");
     const HeadReading read(full, scope_, report_);
-    DiagramParameter& listed = report_.diagram().parameters.emplace_back(
-        DiagramParameter{full, written.text, written.value, written.dimension, "", false, set});
+    DiagramParameter& listed = report_.diagram().parameters.emplace_back(DiagramParameter{
+        full, text_of(node, written), written.value, written.dimension, "", false, false, written.each});
     if (doc) yaml::below(read, "doc").take(*doc, {}, listed.doc);
     if (assumed) yaml::below(read, "assumed").take(*assumed, yaml::form::truth(), listed.assumed);
+    return listed;
   }
 
   Scope& scope_;

@@ -11,6 +11,7 @@
 #include "engine/base/unit/unit.hpp"
 #include "engine/base/yaml/document.hpp"
 #include "engine/model/block/block_type.hpp"
+#include "engine/model/diagram/element_units.hpp"
 #include "engine/model/diagram/every.hpp"
 #include "engine/model/diagram/sweep.hpp"
 
@@ -54,6 +55,7 @@ struct Source {
   std::shared_ptr<const Binding> text;  ///< of a constant that depends on parameters
   ElementIndex element{};
   Eigen::Index columns = 1;  ///< of a constant matrix in column-major order
+  EachUnit each{};           ///< units of a constant's elements in several; `dimension` is then nullopt
 };
 
 /// Initial value of a state, given by the file.
@@ -63,6 +65,7 @@ struct InitialValue {
   std::optional<unit::Dimension> dimension;
   Origin origin;
   Eigen::Index columns = 1;  ///< of a matrix in column-major order
+  EachUnit each{};           ///< units of elements in several; `dimension` is then nullopt
 };
 
 /// A block after all parts are opened.
@@ -77,6 +80,8 @@ struct DiagramBlock {
   std::vector<yaml::Mark> parameter_marks;
   std::vector<std::optional<unit::Dimension>>
       parameter_dimensions;  ///< of each parameter written with a unit
+  std::vector<std::pair<std::size_t, EachUnit>>
+      parameter_elements;  ///< parameters with elements in several units; their dimension is std::nullopt
   std::vector<std::pair<std::size_t, Eigen::Index>>
       matrices;                     ///< per-element parameters given as matrices: parameter, columns
   std::vector<std::size_t> spread;  ///< parameters with one number that the plan repeats for every element
@@ -90,6 +95,12 @@ struct DiagramBlock {
   std::string copy_of;         ///< Full name of the block that this one copies for one field of a bus.
 
   const BlockType& type() const { return block.type(); }
+  /// Returns the units of a parameter with elements in several units; nullptr for another parameter.
+  const EachUnit* elements_of(std::size_t parameter) const {
+    for (const auto& [index, each] : parameter_elements)
+      if (index == parameter) return &each;
+    return nullptr;
+  }
 };
 
 /// Reference to an output of a block, one of its states, or an element of these.
@@ -145,6 +156,7 @@ struct DiagramOutput {
   std::optional<unit::Dimension> safe_dimension;
   std::string doc;
   Origin origin;
+  EachUnit safe_each{};  ///< units of safe elements in several; `safe_dimension` is then nullopt
 };
 
 /// Declared unit of a part's port, which its source must have.
@@ -172,6 +184,7 @@ struct DiagramParameter {
   std::string doc;
   bool assumed = false;
   bool set = false;  ///< it replaces the file's own value
+  EachUnit each{};   ///< units of elements in several; `dimension` is then nullopt
 };
 
 /// Expression of `stop_when`, and its signals in the order of its variables.

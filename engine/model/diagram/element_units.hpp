@@ -8,6 +8,10 @@
 
 namespace stepwire::diagram {
 
+/// Units of the elements of a list or matrix of numbers that has several, in column-major order;
+/// std::nullopt for a bare number. Empty for numbers in one unit, or without any.
+using EachUnit = std::vector<std::optional<unit::Dimension>>;
+
 /// A range of elements of a signal, counted from 0.
 struct ElementRange {
   std::size_t first = 0;
@@ -20,7 +24,7 @@ struct ElementRange {
 /// Unit of a signal: one for all elements, or one for each. The unit of an element may be unknown.
 class ElementUnits {
  public:
-  using Each = std::vector<std::optional<unit::Dimension>>;
+  using Each = EachUnit;
 
   ElementUnits(const unit::Dimension& one = {}) : each_{one} {}
   /// Makes one common unit if all elements have the same.

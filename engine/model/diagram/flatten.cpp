@@ -101,7 +101,7 @@ class Flattener {
       return source(of.inputs[index][static_cast<std::size_t>(target.element)]);
     for (const InitialValue& initial : of.initial)
       if (initial.state == target.index)
-        return written_numbers(initial.value, initial.dimension, initial.columns);
+        return numbers(initial.value, initial.dimension, initial.each, initial.columns);
     return std::nullopt;
   }
 
@@ -176,6 +176,15 @@ class Flattener {
     return reader_ == Reader::anyone ? dimension : std::nullopt;
   }
 
+  /// Returns numbers in one unit or in several.
+  static yaml::Node numbers(const Eigen::VectorXd& values, const std::optional<unit::Dimension>& dimension,
+                            const EachUnit& each, Eigen::Index columns = 1) {
+    if (each.size() == static_cast<std::size_t>(values.size())) return written_each(values, each, columns);
+    return written_numbers(values, dimension, columns);
+  }
+
+  EachUnit units(const EachUnit& each) const { return reader_ == Reader::anyone ? each : EachUnit{}; }
+
   const DiagramBlock& block(int index) const { return diagram_.blocks[static_cast<std::size_t>(index)]; }
 
   std::string name(const SignalRef& signal) const { return whole(signal) + element_text(signal.element); }
@@ -217,7 +226,8 @@ class Flattener {
     for (const DiagramOutput& output : diagram_.outputs) {
       yaml::Node port;
       add_key(port, "signal", written_text(name(output.signal)));
-      if (output.safe) add_key(port, "safe", written_numbers(*output.safe, unit(output.safe_dimension)));
+      if (output.safe)
+        add_key(port, "safe", numbers(*output.safe, unit(output.safe_dimension), units(output.safe_each)));
       add_doc(port, output.doc);
       add_key(map, output.name, std::move(port));
     }
@@ -261,7 +271,7 @@ class Flattener {
         add_key(map, type.parameters[i].name, std::move(*value));
     for (const InitialValue& initial : block.initial)
       add_key(map, initial_key(type, type.states[static_cast<std::size_t>(initial.state)]),
-              written_numbers(initial.value, unit(initial.dimension), initial.columns));
+              numbers(initial.value, unit(initial.dimension), units(initial.each), initial.columns));
     return map;
   }
 
@@ -280,10 +290,13 @@ class Flattener {
 
   yaml::Node constant(const Source& source) const {
     const auto dimension = unit(source.dimension);
-    if (source.element.is_whole()) return written_numbers(source.constant, dimension, source.columns);
+    if (source.element.is_whole())
+      return numbers(source.constant, dimension, units(source.each), source.columns);
     const Eigen::Index rows = source.constant.size() / source.columns;
     const Eigen::Index place =
         std::max<Eigen::Index>(source.element.column - 1, 0) * rows + source.element.row - 1;
+    if (const EachUnit each = units(source.each); !each.empty())
+      return written_each(one(source.constant[place]), {each[static_cast<std::size_t>(place)]}).items.front();
     return written_numbers(one(source.constant[place]), dimension);
   }
 
@@ -297,10 +310,28 @@ class Flattener {
       if (elements.size() == 0) return std::nullopt;  // of a signal without elements
       value.content = one(elements[0]);
     }
+    if (const EachUnit* each = block.elements_of(index); each && !units(*each).empty())
+      if (auto written = in_units(value, *each, columns_of(block, index))) return written;
     for (const auto& [matrix, columns] : block.matrices)
       if (matrix == index)
         return written_numbers(std::get<Eigen::VectorXd>(value.content), dimension, columns);
     return written_value(spec, value, dimension);
+  }
+
+  static Eigen::Index columns_of(const DiagramBlock& block, std::size_t parameter) {
+    for (const auto& [matrix, columns] : block.matrices)
+      if (matrix == parameter) return columns;
+    return 1;
+  }
+
+  /// Returns numbers in the units of their elements; std::nullopt for a value of another size.
+  static std::optional<yaml::Node> in_units(const Value& value, const EachUnit& each, Eigen::Index columns) {
+    const auto* matrix = std::get_if<Eigen::MatrixXd>(&value.content);
+    const auto* vector = std::get_if<Eigen::VectorXd>(&value.content);
+    if (!matrix && !vector) return std::nullopt;
+    const Eigen::VectorXd all = matrix ? Eigen::VectorXd(matrix->reshaped()) : *vector;
+    if (static_cast<std::size_t>(all.size()) != each.size()) return std::nullopt;
+    return written_each(all, each, matrix ? matrix->cols() : columns);
   }
 
   yaml::Node record() const {

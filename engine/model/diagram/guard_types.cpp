@@ -6,6 +6,7 @@
 
 #include "engine/base/expression/expression_function.hpp"
 #include "engine/base/expression/margin.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/model/block/declare.hpp"
 #include "engine/model/diagram/condition.hpp"
 #include "engine/model/diagram/guard.hpp"
@@ -45,10 +46,9 @@ void Guard::declare(Declare<Guard>& is) {
 void Condition::configure(Configure& is) {
   const Index inputs = is.count<&Condition::u>();
   if (inputs > max_inputs || static_cast<Index>(variables.size()) != inputs)
-    is.refuse<&Condition::variables>(
-        fmt::format("there are {} names for {} inputs; each needs one, and {} "
-                    "are the most",
-                    variables.size(), inputs, max_inputs));
+    is.refuse<&Condition::variables>(fmt::format("{} for {}; each needs one, and {} are the most",
+                                                 text::there_are(variables.size(), "name"),
+                                                 text::counted(inputs, "input"), max_inputs));
   try {
     const auto is_variable = [&](std::string_view name) { return std::ranges::count(variables, name) > 0; };
     auto read = expression::Expression::hiding_constants(expression.view(), is_variable);

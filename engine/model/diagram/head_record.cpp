@@ -36,6 +36,7 @@ int block_of_parameter(const yaml::Node& node, const std::string& name, const Sc
   block.origin = scope.at(node.mark);
   block.parameter_marks.push_back(node.mark);
   block.parameter_dimensions.push_back(written->dimension);
+  if (!written->each.empty()) block.parameter_elements.emplace_back(0, written->each);
   if (written->columns > 1) block.matrices.emplace_back(0, written->columns);
   spec.set(block.block.get(), written->value);
   report.bindings().bindings.push_back(

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/base/sampling/correlation.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/base/yaml/message.hpp"
 #include "engine/base/yaml/yaml_text.hpp"
 #include "engine/model/diagram/diagram.hpp"
@@ -489,8 +490,9 @@ void read_sweep(const Scope& scope, Report& report) {
   for (const Sweep::Axis& axis : sweep.axes)
     if (sweep.together && axis.count() != sweep.axes.front().count())
       report.add(axis.origin, "sweep." + axis.parameter,
-                 fmt::format("has {} values, '{}' has {}; with 'together: true' they are paired",
-                             axis.count(), sweep.axes.front().parameter, sweep.axes.front().count()));
+                 fmt::format("has {}, '{}' has {}; with 'together: true' they are paired",
+                             text::counted(axis.count(), "value"), sweep.axes.front().parameter,
+                             sweep.axes.front().count()));
   report.diagram().sweep = std::move(sweep);
 }
 

@@ -108,6 +108,7 @@ void read_output(const std::string& name, const std::string& reference, const Sc
         ValueReader(root.parameters, report, root.index).read_for(numbers_of_any_unit(), {}, *safe, name);
     if (written) output.safe = std::get<Eigen::VectorXd>(written->value.content);
     if (written && written->dimension) output.safe_dimension = written->dimension;
+    if (written) output.safe_each = written->each;
   }
   report.diagram().outputs.push_back(std::move(output));
 }

@@ -252,17 +252,23 @@ void Opener::set_parameter(const Scope& scope, int reader_scope, const yaml::Nod
                            std::size_t parameter) {
   auto& dimension = block.parameter_dimensions[parameter];
   const auto in_file = dimension;
+  const EachUnit* const each = block.elements_of(parameter);
+  const EachUnit each_in_file = each ? *each : EachUnit{};
   read_parameter(scope, reader_scope, text, block, parameter);
-  if (!dimension) dimension = in_file;
+  if (dimension || block.elements_of(parameter)) return;
+  dimension = in_file;
+  if (!each_in_file.empty()) block.parameter_elements.emplace_back(parameter, each_in_file);
 }
 
 void Opener::set_initial(const Scope& scope, const yaml::Node& text, DiagramBlock& block, int state) {
   const auto of_state = [&](const InitialValue& value) { return value.state == state; };
   const auto before = std::ranges::find_if(block.initial, of_state);
-  const auto in_file = before == block.initial.end() ? std::nullopt : before->dimension;
+  const auto in_file = before == block.initial.end() ? InitialValue{} : *before;
   read_initial(scope, text, block, state);
   const auto after = std::ranges::find_if(block.initial, of_state);
-  if (after != block.initial.end() && !after->dimension) after->dimension = in_file;
+  if (after == block.initial.end() || after->dimension || !after->each.empty()) return;
+  after->dimension = in_file.dimension;
+  if (after->value.size() == in_file.value.size()) after->each = in_file.each;
 }
 
 void Opener::read_parameter(const Scope& scope, int reader_scope, const yaml::Node& text, DiagramBlock& block,
@@ -284,6 +290,8 @@ void Opener::read_parameter(const Scope& scope, int reader_scope, const yaml::No
                 "is a matrix, and stands for numbers of single elements; for a product with a matrix see "
                 "MatrixGain");
   block.parameter_dimensions[parameter] = written->dimension;
+  std::erase_if(block.parameter_elements, [&](const auto& of) { return of.first == parameter; });
+  if (!written->each.empty()) block.parameter_elements.emplace_back(parameter, written->each);
   spec.set(block.block.get(), written->value);
   bind({Target::Kind::parameter, index_of(block), static_cast<int>(parameter)},
        {node, scope.index, reader_scope}, std::move(uses));
@@ -310,7 +318,7 @@ void Opener::read_initial(const Scope& scope, const yaml::Node& node, DiagramBlo
   if (!written) return;
   std::erase_if(block.initial, [&](const InitialValue& value) { return value.state == state; });
   block.initial.push_back({state, std::get<Eigen::VectorXd>(written->value.content), written->dimension,
-                           scope.at(node.mark), written->columns});
+                           scope.at(node.mark), written->columns, written->each});
   bind({Target::Kind::initial, index_of(block), state}, {node, scope.index, scope.index}, std::move(uses));
 }
 

@@ -164,9 +164,13 @@ void Opener::make_inputs(Scope& scope) {
     read_parameter(scope, scope.index, *port.fallback, block, 0);
     read_settings(scope, block, scope.prefix + name);
     if (!port.dimension) continue;
-    const std::string complaint = unit_complaint(block.parameter_dimensions[0], port.dimension);
+    const EachUnit* const each = block.elements_of(0);
+    const auto wrong = each ? wrong_element(*each, port.dimension) : std::nullopt;
+    const std::string complaint =
+        unit_complaint(wrong ? (*each)[*wrong] : block.parameter_dimensions[0], port.dimension);
     if (!complaint.empty()) report_.add(scope.at(port.fallback->mark), name, complaint);
     block.parameter_dimensions[0] = port.dimension;
+    block.parameter_elements.clear();
   }
 }
 

@@ -6,8 +6,10 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <tuple>
 #include <utility>
 
+#include "engine/base/text/count.hpp"
 #include "engine/base/unit/meaning.hpp"
 #include "engine/base/yaml/message.hpp"
 #include "engine/model/diagram/element_index.hpp"
@@ -31,21 +33,35 @@ std::string word_at(const std::string& text, std::size_t begin) {
   return text.substr(begin, end - begin);
 }
 
-/// Common unit of the elements of a matrix; std::nullopt if elements differ, as rows of a state-space system
-/// may.
-class MatrixUnit {
+/// Units of the elements of a list or matrix, counted in column-major order.
+class UnitsOfElements {
  public:
-  void add(const std::optional<unit::Dimension>& dimension) {
+  explicit UnitsOfElements(Eigen::Index size) : each_(static_cast<std::size_t>(size)) {}
+
+  void set(Eigen::Index element, const std::optional<unit::Dimension>& dimension) {
+    each_[static_cast<std::size_t>(element)] = dimension;
     if (!dimension) return;
-    differs_ = differs_ || (unit_ && *unit_ != *dimension);
-    unit_ = dimension;
+    differs_ = differs_ || (common_ && *common_ != *dimension);
+    if (!common_ || !common_->zeros) common_ = dimension;
+    has_degrees_ = has_degrees_ || dimension->zeros || dimension->per_difference;
   }
-  std::optional<unit::Dimension> common() const { return differs_ ? std::nullopt : unit_; }
+  /// True for units of temperatures beside others: what they mean is checked for whole signals alone.
+  bool mixes_temperatures() const { return differs_ && has_degrees_; }
+  /// Returns numbers with these units.
+  WrittenValue written(Value value, std::string text) && {
+    WrittenValue result{std::move(value), differs_ ? std::nullopt : common_, std::move(text)};
+    if (differs_) result.each = std::move(each_);
+    return result;
+  }
 
  private:
-  std::optional<unit::Dimension> unit_;
-  bool differs_ = false;
+  EachUnit each_;
+  std::optional<unit::Dimension> common_;
+  bool differs_ = false, has_degrees_ = false;
 };
+
+const char* const no_mixed_temperatures =
+    "has a temperature in degC beside elements in other units; write it in K";
 
 /// Returns a number or word for insertion into a text, in a formula with its unit; std::nullopt for any other
 /// value.
@@ -73,17 +89,15 @@ bool names_signals(std::string text, const ParameterScope& parameters) {
   }
 }
 
-/// Returns the refusal of a list of numbers in different units, with the same numbers in SI as the cure.
-yaml::Message other_unit(const std::vector<WrittenValue>& elements) {
-  std::string numbers;
-  for (const WrittenValue& element : elements)
-    if (const double* number = std::get_if<double>(&element.value.content))
-      numbers += fmt::format("{}{:.12g}", numbers.empty() ? "" : ", ", *number);
-  return fmt::format(
-      "has another unit than the elements before it, and a list has one unit; where the elements of the "
-      "signal "
-      "have several, write the numbers without units, in SI: [{}]",
-      numbers);
+/// Returns "50 1/s" for "50/s", a number and units without a blank, which is read as a formula; empty for
+/// other texts.
+std::string meant_quantity(const std::string& text) {
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  const std::string number(text.c_str(), static_cast<const char*>(end)), rest(end);
+  if (number.empty() || (!rest.starts_with('/') && !rest.starts_with('*'))) return "";
+  const std::string meant = number + (rest[0] == '/' ? " 1" + rest : " " + rest.substr(1));
+  return unit::parse_quantity(meant) ? meant : "";
 }
 
 // Formulas of parameters: of single numbers, and of matrices.
@@ -155,9 +169,24 @@ std::string unit_complaint(const std::optional<unit::Dimension>& written,
                            const std::optional<unit::Dimension>& demanded) {
   if (!written || !demanded) return "";
   if (*written == *demanded) return unit::other_meaning_of_number(*written, *demanded);
-  if (*demanded == unit::Dimension{})
+  if (*demanded == unit::Dimension{} && demanded->angle == 0.0)
     return fmt::format("is in {}; it must be a pure number, without a unit", unit::si_name(*written));
   return fmt::format("is in {}; it must be in {}", unit::si_name(*written), unit::si_name(*demanded));
+}
+
+std::optional<std::size_t> wrong_element(const EachUnit& written,
+                                         const std::optional<unit::Dimension>& demanded) {
+  for (std::size_t k = 0; k < written.size(); ++k)
+    if (!unit_complaint(written[k], demanded).empty()) return k;
+  return std::nullopt;
+}
+
+std::string unit_fault(const WrittenValue& written, const std::optional<unit::Dimension>& demanded) {
+  if (const auto k = wrong_element(written.each, demanded))
+    return fmt::format("element {} of {} {}", *k + 1, written.text,
+                       unit_complaint(written.each[*k], demanded));
+  const std::string complaint = unit_complaint(written.dimension, demanded);
+  return complaint.empty() ? "" : fmt::format("{} {}", written.text, complaint);
 }
 
 bool means_not_finite(const std::string& text) {
@@ -231,33 +260,37 @@ std::optional<WrittenValue> ValueReader::read_list(const yaml::Node& node, const
     if (!element) return std::nullopt;
     elements.push_back(std::move(*element));
   }
-  WrittenValue result{{Eigen::VectorXd(static_cast<Eigen::Index>(elements.size()))}, {}, "the list"};
+  const auto size = static_cast<Eigen::Index>(elements.size());
+  Value list{Eigen::VectorXd(size)};
+  UnitsOfElements units(size);
   Value::List texts;
   bool numbers = true;
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const double* number = std::get_if<double>(&elements[i].value.content);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const auto& [element, item] =
+        std::tie(elements[static_cast<std::size_t>(i)], node.items[static_cast<std::size_t>(i)]);
+    const double* number = std::get_if<double>(&element.value.content);
     numbers = numbers && number;
-    if (number) std::get<Eigen::VectorXd>(result.value.content)[static_cast<Eigen::Index>(i)] = *number;
-    if (elements[i].dimension && result.dimension && *elements[i].dimension != *result.dimension)
-      return refuse(node.items[i], subject, other_unit(elements));
-    if (elements[i].dimension) result.dimension = elements[i].dimension;
-    texts.push_back({node.items[i].text, node.items[i].mark.line, node.items[i].mark.column});
+    if (number) std::get<Eigen::VectorXd>(list.content)[i] = *number;
+    units.set(i, element.dimension);
+    texts.push_back({item.text, item.mark.line, item.mark.column});
   }
-  if (!numbers) result.value.content = std::move(texts);
-  return result;
+  if (!numbers) list.content = std::move(texts);
+  if (units.mixes_temperatures()) return refuse(node, subject, no_mixed_temperatures);
+  return std::move(units).written(std::move(list), "the list");
 }
 
 std::optional<WrittenValue> ValueReader::read_rows(const yaml::Node& node, const std::string& subject) const {
   const char* const no_matrix = "a matrix is a list of rows of numbers, as [[1, 2], [3, 4]]";
   const auto columns = static_cast<Eigen::Index>(node.items.front().items.size());
   Eigen::MatrixXd matrix(static_cast<Eigen::Index>(node.items.size()), columns);
-  MatrixUnit unit;
+  UnitsOfElements units(matrix.size());
   for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
     const yaml::Node& item = node.items[static_cast<std::size_t>(row)];
     if (!item.is_list() || item.items.empty()) return refuse(item, subject, no_matrix);
     if (static_cast<Eigen::Index>(item.items.size()) != columns)
       return refuse(item, subject,
-                    fmt::format("this row has {} numbers, the first has {}", item.items.size(), columns));
+                    fmt::format("this row has {}, the first has {}",
+                                text::counted(item.items.size(), "number"), columns));
     for (Eigen::Index column = 0; column < columns; ++column) {
       const yaml::Node& element = item.items[static_cast<std::size_t>(column)];
       const auto written = element.is_scalar() ? read_scalar(element, subject) : std::nullopt;
@@ -265,10 +298,11 @@ std::optional<WrittenValue> ValueReader::read_rows(const yaml::Node& node, const
       const double* number = written ? std::get_if<double>(&written->value.content) : nullptr;
       if (!number) return refuse(item, subject, no_matrix);
       matrix(row, column) = *number;
-      unit.add(written->dimension);
+      units.set(column * matrix.rows() + row, written->dimension);
     }
   }
-  return WrittenValue{{std::move(matrix)}, unit.common(), "the matrix"};
+  if (units.mixes_temperatures()) return refuse(node, subject, no_mixed_temperatures);
+  return std::move(units).written({std::move(matrix)}, "the matrix");
 }
 
 std::optional<WrittenValue> ValueReader::read_with_unit(const yaml::Node& node,
@@ -281,7 +315,9 @@ std::optional<WrittenValue> ValueReader::read_with_unit(const yaml::Node& node,
   if (!written || !unit_node) return written;
   const auto unit = unit::parse_unit(unit_node->text);
   if (!unit) return refuse(*unit_node, subject, fmt::format("'{}' is no unit", unit_node->text));
-  if (written->dimension) return refuse(*unit_node, subject, "the numbers carry units already");
+  if (written->dimension || !written->each.empty())
+    return refuse(*unit_node, subject,
+                  "the numbers have units already; leave the key 'unit' out, or write the numbers alone");
   if (auto* number = std::get_if<double>(&written->value.content)) *number = unit->to_si(*number);
   if (auto* vector = std::get_if<Eigen::VectorXd>(&written->value.content))
     for (double& element : *vector) element = unit->to_si(element);
@@ -428,7 +464,10 @@ std::optional<WrittenValue> ValueReader::read_expression(const yaml::Node& node,
   } catch (const expression::ExpressionError& error) {
     yaml::Mark mark = node.mark;  // the line of a setting is 0
     if (mark.line > 0) mark.column += 1 + (node.quoted ? 1 : 0) + static_cast<int>(error.position);
-    report_.add(at(mark), subject, error.what());
+    const std::string meant = meant_quantity(node.text.substr(1));
+    const std::string cure =
+        meant.empty() ? "" : fmt::format("; a number with its unit is written '{}'", meant);
+    report_.add(at(mark), subject, error.what() + cure);
     return std::nullopt;
   }
 }
@@ -450,6 +489,9 @@ std::optional<WrittenValue> ValueReader::read_variable(const std::string& name, 
     return refuse(node, subject,
                   fmt::format("there is no '{}'; '{}' has {} x {} numbers", name, whole, matrix->rows(),
                               matrix->cols()));
+  if (!parameter.each.empty())
+    parameter.dimension = parameter.each[static_cast<std::size_t>((column - 1) * matrix->rows() + row - 1)];
+  parameter.each.clear();
   parameter.value.content = (*matrix)(row - 1, column - 1);
   return parameter;
 }

@@ -28,6 +28,7 @@ struct WrittenValue {
   bool failed = false;             ///< replaces a refused definition; its uses add no further faults
   std::optional<GivenBy> given{};  ///< set for a text
   Eigen::Index columns = 1;        ///< of a matrix in column-major order
+  EachUnit each{};                 ///< units of elements in several; `dimension` is then nullopt
 };
 
 /// Parameters used by a value, as indices in Diagram::parameters.
@@ -114,6 +115,9 @@ class ValueReader {
   std::optional<WrittenValue> read_words(const ParameterSpec& spec, const yaml::Node& node,
                                          const std::string& subject) const;
   std::optional<Value> read_tree(const yaml::Node& node, const std::string& subject, bool has_formulas) const;
+  bool has_wrong_unit(const ParameterSpec& spec, const WrittenValue& written,
+                      const std::optional<unit::Dimension>& demanded, const yaml::Node& node,
+                      const std::string& subject) const;
   std::optional<Value> convert(const ParameterSpec& spec, const WrittenValue& written, const yaml::Node& node,
                                const std::string& subject) const;
   bool in_range(const ParameterSpec& spec, const WrittenValue& written, const yaml::Node& node,
@@ -144,5 +148,13 @@ bool means_not_finite(const std::string& text);
 /// number.
 std::string unit_complaint(const std::optional<unit::Dimension>& written,
                            const std::optional<unit::Dimension>& demanded);
+
+/// Returns the index of the first element whose unit differs from the demanded one; std::nullopt without one.
+std::optional<std::size_t> wrong_element(const EachUnit& written,
+                                         const std::optional<unit::Dimension>& demanded);
+
+/// Returns the fault of a value in another unit than the demanded one, "5 N is in N; it must be in m"; empty
+/// if they agree.
+std::string unit_fault(const WrittenValue& written, const std::optional<unit::Dimension>& demanded);
 
 }  // namespace stepwire::diagram

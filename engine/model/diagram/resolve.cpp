@@ -130,6 +130,7 @@ std::optional<Source> Resolver::element(const yaml::Node& node, const Scope& sco
       -1,     -1, std::get<Eigen::VectorXd>(written->value.content), written->dimension, scope.at(node.mark),
       nullptr};
   source.columns = written->columns;
+  source.each = written->each;
   if (!uses.empty())
     source.text =
         std::make_shared<const Binding>(Binding{{}, {node, scope.index, scope.index}, std::move(uses)});

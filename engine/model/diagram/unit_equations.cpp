@@ -246,10 +246,21 @@ void UnitEquations::report(const UnitEquation& equation, const unit::Dimension& 
   const UnitEquation* const number = number_for(equation);
   const auto whole = equation.joins < 0 ? std::nullopt : values_[static_cast<std::size_t>(equation.joins)];
   const auto unit = number ? values_[static_cast<std::size_t>(number->terms.front().variable)] : std::nullopt;
-  if (!unit || !unit->one() || !whole || whole->one() != unit->one())
-    return complain(equation, wrong, std::nullopt);
-  const unit::Dimension element = *unit->one() / wrong;
-  complain(*number, element / *unit->one(), element);
+  const std::size_t index = place_of(equation);
+  const auto given = unit && whole && agree(*unit, *whole) ? unit->of(index) : std::nullopt;
+  if (!given) return complain(equation, wrong, std::nullopt);
+  const unit::Dimension element = *given / wrong;
+  complain(*number, element / *given, MissedElement{element, index});
+}
+
+/// Returns the index in the whole signal of the first element for which a piece does not hold.
+std::size_t UnitEquations::place_of(const UnitEquation& piece) const {
+  const auto product = dimension_of(piece);
+  if (!product || piece.terms.empty()) return 0;
+  std::size_t within = 0;
+  for (std::size_t k = product->each().size(); k-- > 0;)
+    if (const auto& unit = product->each()[k]; unit && *unit != unit::Dimension{}) within = k;
+  return piece.terms.front().elements.first + within;
 }
 
 /// True where a variable of this equation already occurred in a reported one, and marks its variables. It

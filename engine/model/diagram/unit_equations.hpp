@@ -56,6 +56,12 @@ enum class Elements {
   alike    ///< its ports have different shapes, so that different units make it unknown
 };
 
+/// Element of a port to which one of several numbers, or one number for all, does not fit.
+struct MissedElement {
+  unit::Dimension unit;
+  std::size_t index = 0;
+};
+
 /// System of unit equations. An equation with one unknown unit determines it; one without unknowns is
 /// checked.
 ///
@@ -66,10 +72,10 @@ enum class Elements {
 class UnitEquations {
  public:
   /// Callback for an equation that does not hold; `wrong` is the unit of its product. For equal dimensions an
-  /// angle per time meets a frequency. `element` is the unit of an element of the port where one number is
-  /// given for elements in several units; else std::nullopt.
+  /// angle per time meets a frequency. `element` is an element of the port where a number has given its unit
+  /// to elements of other units; else std::nullopt.
   using Complain = std::function<void(const UnitEquation& equation, const unit::Dimension& wrong,
-                                      const std::optional<unit::Dimension>& element)>;
+                                      const std::optional<MissedElement>& element)>;
 
   void add(UnitEquation equation, std::string what);
   void add(UnitJoin join) { joins_.push_back(std::move(join)); }
@@ -100,6 +106,7 @@ class UnitEquations {
   bool follows_from_another(const UnitEquation& equation);
   const UnitEquation* number_for(const UnitEquation& piece) const;
   void report(const UnitEquation& equation, const unit::Dimension& wrong, const Complain& complain) const;
+  std::size_t place_of(const UnitEquation& piece) const;
   void find_angles();
   int turn_to_angle(const UnitEquation& equation);
   void check_rates(const Complain& complain);

@@ -33,12 +33,23 @@ void UnitFaults::add(const UnitEquation& equation, const unit::Dimension& wrong,
   report_.add(equation.origin, subject, message);
 }
 
+void UnitFaults::add_element(const UnitEquation& equation, std::size_t element, const unit::Dimension& wrong,
+                             const std::optional<unit::Dimension>& taken) {
+  const std::string subject = subject_of(equation);
+  const std::string message =
+      taken
+          ? fmt::format("element {} is in {}, but that of {} is in {}", element + 1,
+                        unit::si_name(*taken / wrong), subject, unit::si_name(*taken))
+          : fmt::format("element {} does not fit: the units differ by {}", element + 1, unit::si_name(wrong));
+  report_.add(equation.origin, subject, message);
+}
+
 void UnitFaults::add_number(const UnitEquation& equation, const unit::Dimension& wrong,
                             const unit::Dimension& element) {
   const std::string subject = subject_of(equation);
   report_.add(equation.origin, subject,
-              fmt::format("{} is in {}, but {} has an element in {}; write a list of numbers in SI, without "
-                          "units, with one for each element",
+              fmt::format("{} is in {}, but {} has an element in {}; write a list with a number for each "
+                          "element",
                           equation.what, unit::si_name(element / wrong), subject, unit::si_name(element)));
 }
 

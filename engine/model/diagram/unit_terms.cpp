@@ -46,10 +46,19 @@ bool UnitTerms::is_open(int block, int output) {
   return output_unit(block, output).any || open_.is_opened(block, output);
 }
 
+ElementUnits UnitTerms::units_of_constant(const Source& source) {
+  if (source.each.empty()) return *source.dimension;
+  const ElementUnits units(source.each);
+  if (source.element.is_whole()) return units;
+  const auto rows = source.each.size() / static_cast<std::size_t>(source.columns);
+  const auto column = static_cast<std::size_t>(std::max<Eigen::Index>(source.element.column, 1) - 1);
+  return units.elements({column * rows + static_cast<std::size_t>(source.element.row) - 1, 1});
+}
+
 bool UnitTerms::divide_by_source(UnitEquation& equation, const Source& source) {
   if (source.block < 0) {
-    if (!source.dimension) return false;
-    equation.constant = equation.constant.times(*source.dimension, -1.0);
+    if (!source.dimension && source.each.empty()) return false;
+    equation.constant = equation.constant.times(units_of_constant(source), -1.0);
   } else if (is_open(source.block, source.output)) {
     equation.terms.push_back({open_.variable(source), -1.0});
   } else {

@@ -32,6 +32,8 @@ class UnitTerms {
                const ElementRange& elements = {});
   /// Divides by the unit of a source; returns false for a number without a unit.
   bool divide_by_source(UnitEquation& equation, const Source& source);
+  /// Returns the units of a constant with a unit, or of its element that the source picks.
+  static ElementUnits units_of_constant(const Source& source);
   UnitJoin::Piece piece_of(const Source& source);
 
  private:

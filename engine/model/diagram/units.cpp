@@ -28,11 +28,14 @@ class Inference : UnitTerms {
     for (const UnitDemand& demand : diagram_.unit_demands) add_demand(demand);
     open().join(equations_);
     equations_.solve(variable_count(), [this](const UnitEquation& equation, const unit::Dimension& wrong,
-                                              const std::optional<unit::Dimension>& element) {
-      if (element) return faults_.add_number(equation, wrong, *element);
-      faults_.add(equation, wrong, dimension_at(equation));
+                                              const std::optional<MissedElement>& element) {
+      const bool is_one = equation.constant.is_one();
+      if (element && is_one) return faults_.add_number(equation, wrong, element->unit);
+      if (element) return faults_.add_element(equation, element->index, wrong, element->unit);
+      if (is_one) return faults_.add(equation, wrong, dimension_at(equation));
+      add_fault_of_element(equation);
     });
-    check_norms();
+    check_elements();
     store();
   }
 
@@ -58,10 +61,11 @@ class Inference : UnitTerms {
           "what it reads");
     for (const InitialValue& initial : block.initial) {
       const auto& expression = units.states[static_cast<std::size_t>(initial.state)];
-      if (!initial.dimension || expression.any) continue;
+      const auto units_given = units_of_numbers(initial.dimension, &initial.each);
+      if (!units_given || expression.any) continue;
       UnitEquation equation = start(initial.origin, index, "initial", expression);
       equation.state = initial.state;
-      add(std::move(equation), *initial.dimension, "the initial value");
+      add(std::move(equation), *units_given, "the initial value");
     }
   }
 
@@ -124,12 +128,22 @@ class Inference : UnitTerms {
 
   void add_parameters(int index, const DiagramBlock& block, const TypeUnits& units) {
     for (std::size_t i = 0; i < units.parameters.size(); ++i) {
-      if (units.parameters[i].variables.empty() || !block.parameter_dimensions[i]) continue;
       const ParameterSpec& spec = block.type().parameters[i];
+      // A matrix of elements in several units, such as the gain of a state, has no unit of a port.
+      const EachUnit* const each = spec.kind == ParameterKind::matrix ? nullptr : block.elements_of(i);
+      const auto units_given = units_of_numbers(block.parameter_dimensions[i], each);
+      if (units.parameters[i].variables.empty() || !units_given) continue;
       add(start({block.origin.scope, block.parameter_marks[i]}, index, spec.name.c_str(),
                 units.parameters[i]),
-          *block.parameter_dimensions[i], "the number");
+          *units_given, "the number");
     }
+  }
+
+  /// Returns the units of numbers in one unit or in several; std::nullopt for bare numbers.
+  static std::optional<ElementUnits> units_of_numbers(const std::optional<unit::Dimension>& one,
+                                                      const EachUnit* each) {
+    if (each && !each->empty()) return ElementUnits(*each);
+    return one ? std::optional<ElementUnits>(*one) : std::nullopt;
   }
 
   /// Records factors that the file leaves at their defaults, such as the gain of a Lag.
@@ -147,9 +161,9 @@ class Inference : UnitTerms {
     if (divide_by_source(equation, source)) equations_.add(std::move(equation), faults_.name_of(source));
   }
 
-  /// Adds an equation with the unit of a number.
-  void add(UnitEquation equation, const unit::Dimension& dimension, std::string what) {
-    equation.constant = equation.constant.times(dimension, -1.0);
+  /// Adds an equation with the units of numbers.
+  void add(UnitEquation equation, const ElementUnits& units, std::string what) {
+    equation.constant = equation.constant.times(units, -1.0);
     equations_.add(std::move(equation), std::move(what));
   }
 
@@ -186,18 +200,32 @@ class Inference : UnitTerms {
     return equations_.dimension_of(equation);
   }
 
+  /// Reports the first of several numbers whose unit does not fit its element.
+  void add_fault_of_element(const UnitEquation& equation) {
+    const auto wrong = equations_.dimension_of(equation);
+    const auto port =
+        equation.block < 0 ? units_of_numbers(faults_.demanded(equation), nullptr) : units_at(equation);
+    for (std::size_t k = 0; wrong && k < equation.constant.each().size(); ++k)
+      if (const auto unit = wrong->of(k); unit && *unit != unit::Dimension{})
+        return faults_.add_element(equation, k, *unit, port ? port->of(k) : std::nullopt);
+  }
+
   /// Returns the unit of the port, the own side of an equation, if known.
   std::optional<unit::Dimension> dimension_at(const UnitEquation& equation) {
-    if (equation.block < 0) return faults_.demanded(equation);
+    return equation.block < 0 ? faults_.demanded(equation) : one_of(units_at(equation));
+  }
+
+  /// Returns the units of a block's port, the own side of an equation, if known.
+  std::optional<ElementUnits> units_at(const UnitEquation& equation) {
+    if (equation.block < 0) return std::nullopt;
     const BlockType& type = diagram_.blocks[static_cast<std::size_t>(equation.block)].type();
     const TypeUnits& units = units_of(type);
     if (equation.state >= 0)
-      return one_of(evaluate(units.states[static_cast<std::size_t>(equation.state)], equation.block));
+      return evaluate(units.states[static_cast<std::size_t>(equation.state)], equation.block);
     if (const int input = type.input(equation.port); input >= 0)
-      return one_of(evaluate(units.inputs[static_cast<std::size_t>(input)], equation.block));
+      return evaluate(units.inputs[static_cast<std::size_t>(input)], equation.block);
     for (std::size_t i = 0; i < type.parameters.size(); ++i)
-      if (type.parameters[i].name == equation.port)
-        return one_of(evaluate(units.parameters[i], equation.block));
+      if (type.parameters[i].name == equation.port) return evaluate(units.parameters[i], equation.block);
     return std::nullopt;
   }
 
@@ -231,22 +259,39 @@ class Inference : UnitTerms {
     }
   }
 
-  /// Refuses the length of a vector whose elements are in different units.
-  void check_norms() {
-    for (const DiagramBlock& block : diagram_.blocks) {
-      if (block.type().name != "Norm" || block.inputs[0].empty()) continue;
-      const Source& source = block.inputs[0].front();
-      if (source.block < 0 || !source.element.is_whole()) continue;
-      const auto units = units_of_output(source.block, source.output);
-      if (!units || units->is_one()) continue;
-      const std::string names = unit_names(*units);
-      if (names.find(" and ") != std::string::npos)
-        report_.add(
-            source.origin, block.name + "." + block.type().inputs[0].name,
-            fmt::format("{} has elements in {}, which have no length together; give them one unit, as "
-                        "by a Gain for each",
-                        faults_.name_of(source), names));
+  /// Refuses elements in different units where a block takes one unit, as for the length of a vector.
+  void check_elements() {
+    for (const DiagramBlock& block : diagram_.blocks)
+      for (std::size_t i = 0; i < block.inputs.size(); ++i)
+        if (block.type().inputs[i].one_unit && !block.inputs[i].empty()) check_elements(block, i);
+  }
+
+  void check_elements(const DiagramBlock& block, std::size_t input) {
+    const std::string port = block.name + "." + block.type().inputs[input].name;
+    std::optional<ElementUnits> product;
+    for (const Source& source : block.inputs[input]) {
+      const auto units = units_of_source(source);
+      if (!units) return;
+      product = product ? product->times(*units, 1.0) : units;
     }
+    const std::string names = unit_names(*product);
+    if (product->is_one() || names.find(" and ") == std::string::npos) return;
+    const Source& first = block.inputs[input].front();
+    const std::string what = block.inputs[input].size() > 1 ? "the product"
+                             : first.block < 0              ? "the list"
+                                                            : faults_.name_of(first);
+    report_.add(
+        first.origin, port,
+        fmt::format("{} has elements in {}, and {} takes one unit; give them one, as by a Gain for each",
+                    what, names, block.type().name));
+  }
+
+  /// Returns the units of what a source passes on, if known.
+  std::optional<ElementUnits> units_of_source(const Source& source) {
+    UnitEquation equation;
+    if (!divide_by_source(equation, source)) return std::nullopt;
+    const auto inverse = equations_.dimension_of(equation);
+    return inverse ? std::optional(ElementUnits().times(*inverse, -1.0)) : std::nullopt;
   }
 
   /// Returns the different known units of elements: "m and rad".

@@ -44,6 +44,12 @@ yaml::Node with_unit(yaml::Node value, const std::optional<unit::Dimension>& dim
   return map;
 }
 
+/// Returns an element of a list, with its unit if it has one.
+yaml::Node number_with_unit(double value, const std::optional<unit::Dimension>& dimension) {
+  const std::string name = dimension ? unit::si_name(*dimension) : "1";
+  return name == "1" ? number(value) : written_text(fmt::format("{} {}", value, name));
+}
+
 struct Writer {
   const ParameterSpec& spec;
   const std::optional<unit::Dimension>& dimension;
@@ -105,6 +111,20 @@ yaml::Node written_numbers(const Eigen::VectorXd& numbers, const std::optional<u
   if (columns > 1)
     return with_unit(list_of_rows(numbers.reshaped(numbers.size() / columns, columns)), dimension);
   return with_unit(numbers.size() == 1 ? number(numbers[0]) : list_of_numbers(numbers), dimension);
+}
+
+yaml::Node written_each(const Eigen::VectorXd& numbers, const EachUnit& each, Eigen::Index columns) {
+  const Eigen::Index rows = numbers.size() / columns;
+  yaml::Node all;
+  all.kind = yaml::Node::Kind::list;
+  for (Eigen::Index row = 0; row < rows; ++row) {
+    yaml::Node line;
+    line.kind = yaml::Node::Kind::list;
+    for (Eigen::Index k = row; k < numbers.size(); k += rows)
+      line.items.push_back(number_with_unit(numbers[k], each[static_cast<std::size_t>(k)]));
+    all.items.push_back(columns == 1 ? std::move(line.items.front()) : std::move(line));
+  }
+  return all;
 }
 
 std::optional<yaml::Node> written_value(const ParameterSpec& spec, const Value& value,

@@ -6,6 +6,7 @@
 #include "engine/base/unit/unit.hpp"
 #include "engine/base/yaml/document.hpp"
 #include "engine/model/block/spec.hpp"
+#include "engine/model/diagram/element_units.hpp"
 #include "engine/model/diagram/every.hpp"
 
 namespace stepwire::diagram {
@@ -21,6 +22,8 @@ yaml::Node written_signal(std::string name);
 /// elements is written once. A matrix in column-major order is a list of rows.
 yaml::Node written_numbers(const Eigen::VectorXd& numbers, const std::optional<unit::Dimension>& dimension,
                            Eigen::Index columns = 1);
+/// Makes a node of numbers in several units: `[0.001 m, 0.5 rad]`.
+yaml::Node written_each(const Eigen::VectorXd& numbers, const EachUnit& each, Eigen::Index columns = 1);
 /// Makes a node of a parameter's value. Returns std::nullopt for values that a file cannot express and only
 /// defaults have: non-finite numbers and empty lists of numbers.
 std::optional<yaml::Node> written_value(const ParameterSpec& spec, const Value& value,

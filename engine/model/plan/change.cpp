@@ -83,12 +83,20 @@ class Changing {
 
   /// Refuses a new unit: the units of wires are fixed in the plan. A bare number has the previous unit.
   void check_unit(const diagram::ChangedValue& value, const std::optional<unit::Dimension>& known,
-                  const std::string& name) {
+                  const diagram::EachUnit& known_each, const std::string& name) {
     const auto& given = value.value.dimension;
-    if (given && (given != known || (given->zeros && given->zeros != known->zeros) ||
-                  (given->per_difference && !known->per_difference)))
+    const bool has_other_elements = !value.value.each.empty() && value.value.each != known_each;
+    if (has_other_elements || (given && (given != known || (given->zeros && given->zeros != known->zeros) ||
+                                         (given->per_difference && !known->per_difference))))
       refuse_structure(static_cast<std::size_t>(value.target.block), name,
                        "the value has another unit, or one where it had none");
+  }
+
+  void check_parameter_unit(const diagram::ChangedValue& value, const diagram::DiagramBlock& known,
+                            std::size_t index) {
+    const diagram::EachUnit* const each = known.elements_of(index);
+    check_unit(value, known.parameter_dimensions[index], each ? *each : diagram::EachUnit{},
+               known.type().parameters[index].name);
   }
 
   AnyBlock& written(std::size_t block) {
@@ -107,7 +115,7 @@ class Changing {
     const auto index = static_cast<std::size_t>(value.target.index);
     const diagram::DiagramBlock& known = block_of(value.target);
     const ParameterSpec& spec = known.type().parameters[index];
-    if (!diagram::demanded_dimension(spec)) check_unit(value, known.parameter_dimensions[index], spec.name);
+    if (!diagram::demanded_dimension(spec)) check_parameter_unit(value, known, index);
     if (&known.type() == &diagram::guard_type() && spec.structural)
       refuse_structure(block, spec.name, "the plan has other states that are reset");
     if (known.type().file_output) refuse_structure(block, spec.name, "the block writes a file");
@@ -134,7 +142,8 @@ class Changing {
     const SignalSlot slot = plan_.blocks[block].states[static_cast<std::size_t>(value.target.index)];
     if (known == all.end() ? numbers.size() != 1 : numbers.size() != known->value.size())
       refuse_structure(block, "initial", "the value has another number of elements");
-    check_unit(value, known == all.end() ? std::nullopt : known->dimension, "initial");
+    check_unit(value, known == all.end() ? std::nullopt : known->dimension,
+               known == all.end() ? diagram::EachUnit{} : known->each, "initial");
     change_.initial.emplace_back(slot, numbers);
   }
 
@@ -145,7 +154,7 @@ class Changing {
     const diagram::Source& known = block_of(value.target).inputs[input][element];
     const auto& numbers = std::get<Eigen::VectorXd>(value.value.value.content);
     const std::string& name = block_of(value.target).type().inputs[input].name;
-    check_unit(value, known.dimension, name);
+    check_unit(value, known.dimension, known.each, name);
     if (numbers.size() != known.constant.size() || value.value.columns != known.columns)
       return refuse_structure(block, name, "the value has another number of elements");
     if (configures(block, name, numbers))

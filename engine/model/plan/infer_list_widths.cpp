@@ -7,6 +7,7 @@
 #include <boost/graph/strong_components.hpp>
 #include <unordered_map>
 
+#include "engine/base/text/count.hpp"
 #include "engine/model/plan/port_sizes.hpp"
 #include "engine/model/plan/worklist.hpp"
 
@@ -139,7 +140,7 @@ class ListWidthInference {
     refused_.insert({index, input});
     draft_.report.add({block.origin.scope, block.input_marks[input]},
                       block.name + "." + block.type().inputs[input].name,
-                      fmt::format("has {} elements; {} would fit", size, fitting));
+                      fmt::format("has {}; {} would fit", text::counted(size, "element"), fitting));
   }
 
   /// Makes open sizes that depend on no other open size scalars. Returns false if no size is open.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/base/text/count.hpp"
 #include "engine/model/plan/infer_list_widths.hpp"
 #include "engine/model/plan/shape_checks.hpp"
 
@@ -79,8 +80,8 @@ void MatrixLists::check_elements(const List& list) {
     const bool by_rows = list.shape.adds_rows;
     draft_.report.add(
         sources[i].origin, subject(list),
-        fmt::format("{} has {} elements, which are no whole {} of {}", quoted_source(draft_, sources[i]),
-                    size, by_rows ? "rows" : "columns", by_rows ? wide : high));
+        fmt::format("{} has {}, which are no whole {} of {}", quoted_source(draft_, sources[i]),
+                    text::counted(size, "element"), by_rows ? "rows" : "columns", by_rows ? wide : high));
   }
 }
 

@@ -87,13 +87,19 @@ class Rates {
     if (rate(index).kind != Rate::Kind::constant) queue_.push_back(index);
   }
 
+  /// Returns the block to use in place of a continuous one, as the end of a message; empty without one.
+  static std::string discrete_text(const BlockType& type) {
+    return type.discrete.empty() ? "" : ", or use " + type.discrete;
+  }
+
   void give_period(std::size_t index, const diagram::DiagramBlock& block) {
     rate(index) = {Rate::Kind::discrete, 1};
     if (block.type().has_continuous_state())
       return draft_.report.add(block.every_origin, block.name + ".every",
                                fmt::format("{} has a continuous state and follows the solver; leave 'every' "
-                                           "out{}, or use its discrete kind",
-                                           block.type().name, block.every_of_part ? " of its part" : ""));
+                                           "out{}{}",
+                                           block.type().name, block.every_of_part ? " of its part" : "",
+                                           discrete_text(block.type())));
     const std::string subject = block.name + ".every";
     require_whole(draft_, block.every->period, block.every_origin, subject, rate(index).ticks);
     if (block.every->offset > 0.0)
@@ -132,8 +138,8 @@ class Rates {
     if (type.has_continuous_state())
       return draft_.report.add(block.origin, block.name,
                                fmt::format("{} has a continuous state, which would stand still between the "
-                                           "edges of its trigger; use its discrete kind, or 'enable'",
-                                           type.name));
+                                           "edges of its trigger; use 'enable'{}",
+                                           type.name, discrete_text(type)));
     const bool has_period =
         std::ranges::any_of(type.clocks, [](const ClockSpec& clock) { return clock.bind_period != nullptr; });
     if (!has_period || block.every) return;

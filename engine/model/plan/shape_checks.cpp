@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/text/count.hpp"
 #include "engine/model/diagram/element_index.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/parameters.hpp"
@@ -52,9 +53,9 @@ class ShapeChecks {
                        rows = sizes_.value(matrix->first).value_or(1),
                        columns = sizes_.value(matrix->second).value_or(1);
     if (bounded_product(rows, columns) != elements && said_.insert(index).second)
-      draft_.report.add(
-          block.origin, block.name + "." + port,
-          fmt::format("takes a matrix of {} x {}, and is fed {} elements", rows, columns, elements));
+      draft_.report.add(block.origin, block.name + "." + port,
+                        fmt::format("takes a matrix of {} x {}, and is fed {}", rows, columns,
+                                    text::counted(elements, "element")));
   }
 
   SignalSlot whole(const diagram::Source& source) {
@@ -136,18 +137,28 @@ void check_stop_condition(Draft& draft, const diagram::StopCondition& condition)
   }
 }
 
+/// Checks the unit of each number of a safe value.
+void check_safe_units(Draft& draft, const diagram::DiagramOutput& output, const std::string& subject) {
+  const SignalSlot slot = draft.plan.slot(output.signal);
+  for (Eigen::Index k = 0; k < slot.size; ++k) {
+    const auto element = slot.size == 1 ? output.signal : element_of(output.signal, slot, k);
+    const auto& given =
+        output.safe_each.empty() ? output.safe_dimension : output.safe_each[static_cast<std::size_t>(k)];
+    const std::string complaint = diagram::unit_complaint(given, draft.plan.dimension(element));
+    if (!complaint.empty()) return draft.report.add(output.origin, subject, complaint);
+  }
+}
+
 /// Checks that the safe value of an output has its size and unit.
 void check_safe_value(Draft& draft, diagram::DiagramOutput& output) {
   const std::string subject = output.name + ".safe";
   const Eigen::Index size = draft.plan.slot(output.signal).size;
   if (output.safe->size() == 1) *output.safe = Eigen::VectorXd::Constant(size, (*output.safe)[0]);
   if (output.safe->size() != size)
-    draft.report.add(output.origin, subject,
-                     fmt::format("has {} elements where the signal has {}", output.safe->size(), size));
-  const auto dimension = draft.plan.dimension(output.signal);
-  if (!dimension || !output.safe_dimension) return;
-  const std::string complaint = diagram::unit_complaint(output.safe_dimension, dimension);
-  if (!complaint.empty()) draft.report.add(output.origin, subject, complaint);
+    draft.report.add(
+        output.origin, subject,
+        fmt::format("has {} where the signal has {}", text::counted(output.safe->size(), "element"), size));
+  if (output.safe->size() == size) check_safe_units(draft, output, subject);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/base/text/count.hpp"
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/drive.hpp"
 #include "engine/simulate/run/number_row.hpp"
@@ -316,8 +317,12 @@ KeptTable read_kept_table(const std::string& file, const std::vector<std::string
   kept.recorded = read_recorded(file, 1 + swept.size(), kept.words);
   auto& columns = kept.recorded.table.columns;
   if (kept.recorded.table.rows() != runs || columns.size() < kept.recorded.first_signal)
-    throw yaml::Error(yaml::Fault{
-        {file, {}}, "", fmt::format("has {} rows of {} runs", kept.recorded.table.rows(), runs), {}});
+    throw yaml::Error(
+        yaml::Fault{{file, {}},
+                    "",
+                    fmt::format("has {} of {}", text::counted(kept.recorded.table.rows(), "row"),
+                                text::counted(runs, "run")),
+                    {}});
   for (std::size_t i = 1; i < kept.recorded.first_signal; ++i) {
     if (kept.recorded.has_lines) take_numbers(columns[i], kept.words);
     kept.swept.columns.push_back({columns[i].name, columns[i].unit, {}});

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <vector>
 
+#include "engine/base/text/count.hpp"
 #include "engine/base/unit/unit.hpp"
 #include "engine/base/yaml/document.hpp"
 #include "engine/model/diagram/load.hpp"
@@ -98,8 +99,12 @@ SweepRuns::SweepRuns(std::string folder, std::size_t runs, const Registry& regis
   for (const table::Column& column : table::read_csv_header(path).columns) words_[column.name];
   table_ = table::read_csv(path, words_);
   if (table_.rows() != runs)
-    throw yaml::Error(yaml::Fault{
-        {path, {}}, "", fmt::format("has {} rows, and run.json says {} runs", table_.rows(), runs), {}});
+    throw yaml::Error(
+        yaml::Fault{{path, {}},
+                    "",
+                    fmt::format("has {}, and run.json says {}", text::counted(table_.rows(), "row"),
+                                text::counted(runs, "run")),
+                    {}});
 }
 
 SweepRuns::~SweepRuns() = default;
@@ -319,7 +324,8 @@ class Verifier {
       if (run == 0) tables = read_tables(simulation.plan(), 1 + note.swept.size(), words);
       for (const Recorded& table : tables)
         if (table.table.rows() != note.runs)
-          refuse(table.file, fmt::format("has {} rows of {} runs", table.table.rows(), note.runs));
+          refuse(table.file, fmt::format("has {} of {}", text::counted(table.table.rows(), "row"),
+                                         text::counted(note.runs, "run")));
       replay_last_row(simulation, tables, run, options_, result_);
     }
   }
@@ -337,8 +343,9 @@ class Verifier {
       run::Executor& simulation = runs.begin(run);
       if (!numbers) numbers = numbers_(simulation.plan(), note.document, table.swept, table.words);
       if (numbers->columns.size() != table.recorded.signals())
-        refuse(table.recorded.file, fmt::format("has {} numbers of each run, and run.json {}",
-                                                table.recorded.signals(), numbers->columns.size()));
+        refuse(table.recorded.file,
+               fmt::format("has {} of each run, and run.json {}",
+                           text::counted(table.recorded.signals(), "number"), numbers->columns.size()));
       replay_numbers(simulation, *numbers, table, run, options_, result_);
     }
     verify_rows(note, note.recorded, 1, runs);

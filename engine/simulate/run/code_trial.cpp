@@ -15,6 +15,7 @@
 
 #include "engine/base/subprocess/isolated.hpp"
 #include "engine/base/subprocess/process.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/simulate/run/drive.hpp"
 #include "engine/simulate/run/executor.hpp"
@@ -104,7 +105,7 @@ std::string difference_of_rows(const record::Recording& interpreted, const recor
   for (std::size_t c = 0; c < interpreted.table.columns.size(); ++c) {
     const std::vector<double>&a = interpreted.table.columns[c].values, &b = compiled.table.columns[c].values;
     if (a.size() != b.size())
-      return fmt::format("it has {} rows, and the interpreter {}", b.size(), a.size());
+      return fmt::format("it has {}, and the interpreter {}", text::counted(b.size(), "row"), a.size());
     for (std::size_t row = 0; row < a.size(); ++row)
       if (!same(a[row], b[row]))
         return difference_text(interpreted.table.columns[c].name, b[row], a[row], time[row]);

@@ -18,11 +18,12 @@ struct Curve {
 /// All curves of one y of a panel, with the values that distinguish them.
 struct Curves {
   std::vector<Curve> curves;
-  std::vector<double> groups;       ///< Values of `by`, ascending; one element without a `by`.
-  bool logarithmic = false;         ///< True if an axis of the panel is logarithmic.
-  std::vector<double> shown;        ///< Width of the given range of each column; infinite without one.
-  std::vector<std::string> labels;  ///< Label of each group, "0.1 A"; empty without a `by`.
-  bool several = false;             ///< True if the panel has curves of further y's.
+  std::vector<double> groups;        ///< Values of `by`, ascending; one element without a `by`.
+  bool logarithmic = false;          ///< True if an axis of the panel is logarithmic.
+  std::vector<double> shown;         ///< Width of the given range of each column; infinite without one.
+  std::vector<std::string> labels;   ///< Label of each group, "0.1 A"; empty without a `by`.
+  std::vector<std::string> legends;  ///< Text of each group in a legend, "current = 0.1 A"; empty likewise.
+  bool several = false;              ///< True if the panel has curves of further y's.
 };
 
 /// Minimum and maximum of the added numbers.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/analyse/query/number.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/base/unit/meaning.hpp"
 #include "engine/base/yaml/message.hpp"
 
@@ -51,8 +52,11 @@ bool is_bare(const query::Series& series) {
 
 /// Returns the fault of two series in different units along one axis.
 yaml::Message two_units(const query::Series& series, const query::Series& axis) {
-  return yaml::fault_text("'{}' is drawn in {}, but '{}' in {}; one axis has one unit: give each a panel",
-                          axis.formula.text, axis.unit_text, series.formula.text, series.unit_text);
+  const bool is_alike = series.unit.dimension == axis.unit.dimension;
+  const std::string cure =
+      is_alike ? fmt::format("write '{} in {}'", series.formula.text, axis.unit_text) : "give each a panel";
+  return yaml::fault_text("'{}' is drawn in {}, but '{}' in {}; one axis has one unit: {}", axis.formula.text,
+                          axis.unit_text, series.formula.text, series.unit_text, cure);
 }
 
 /// Returns the fault of a series of unknown unit beside one with a unit.
@@ -142,8 +146,8 @@ class AxisChecks {
   void check_legend(const std::vector<query::Series>& y) {
     if (panel_.series.contains("by") || panel_.legend.size() <= y.size()) return;
     fault(node_.find("legend")->mark, "legend",
-          fmt::format("there are {} texts, but only {} in 'y'; 'by' with a swept parameter tells runs apart",
-                      panel_.legend.size(), y.size()));
+          fmt::format("{}, but only {} in 'y'; 'by' with a swept parameter tells runs apart",
+                      text::there_are(panel_.legend.size(), "text"), y.size()));
   }
 
   Panel& panel_;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "engine/analyse/query/number.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/view/plot/linear_rows.hpp"
 #include "engine/view/plot/plot_kind.hpp"
 
@@ -48,7 +49,7 @@ std::string sentence(const std::string& subject, const query::Formula& where,
     if (const table::Column* column = recording.table.find(name))
       if (const std::string text = values_of(*column); !text.empty()) values.push_back(text);
   const std::size_t rows = recording.table.rows(), runs = recording.starts.size();
-  return fmt::format("{}: '{}' selects none of {} rows{}{}", subject, where.text, rows,
+  return fmt::format("{}: '{}' selects none of {}{}{}", subject, where.text, text::counted(rows, "row"),
                      runs > 1 ? fmt::format(" ({} runs)", runs) : "",
                      values.empty() ? "" : fmt::format(", in which {}", fmt::join(values, " and ")));
 }

@@ -135,12 +135,15 @@ geometry::Curves curves_of(const Panel& panel, FoundRows found, const std::vecto
 }  // namespace
 
 std::vector<std::string> labels_of(const query::Series& by, const std::vector<double>& groups,
-                                   const record::Recording& recording) {
+                                   const record::Recording& recording, bool named) {
   std::vector<std::string> labels;
   for (const double group : groups) {
     std::string label = query::short_number(group);
     if (!by.unit_text.empty() && by.unit_text != "1") label += " " + by.unit_text;
-    if (by.label != by.formula.text) label = by.label + " " + label;
+    if (by.label != by.formula.text)
+      label = by.label + " " + label;
+    else if (named)
+      label = by.label + " = " + label;
     for (const auto& words : recording.categories)
       if (by.formula.text == words.column && group >= 0.0 && group < static_cast<double>(words.texts.size()))
         label = words.texts[static_cast<std::size_t>(group)];
@@ -154,7 +157,10 @@ geometry::Curves gather(const Panel& panel, const record::Recording& recording,
   std::vector<const AxisOptions*> axes;
   for (const query::Series* channel : channels) axes.push_back(&panel.axis(key_of(panel, channel)));
   geometry::Curves result = curves_of(panel, find_rows(panel, recording, channels), axes);
-  if (const query::Series* by = panel.find("by")) result.labels = labels_of(*by, result.groups, recording);
+  if (const query::Series* by = panel.find("by")) {
+    result.labels = labels_of(*by, result.groups, recording);
+    result.legends = labels_of(*by, result.groups, recording, true);
+  }
   return result;
 }
 

@@ -19,8 +19,9 @@ geometry::Curves gather(const Panel& panel, const record::Recording& recording,
 /// from a file.
 geometry::Curves curves_of(const Panel& panel, std::vector<std::vector<double>> columns);
 
-/// Returns the label of each value of `by`, "0.1 A", or the word that the value is an index of.
+/// Returns the label of each value of `by`, "0.1 A", or the word that the value is an index of. With `named`
+/// numbers have the name of what they are values of: "current = 0.1 A".
 std::vector<std::string> labels_of(const query::Series& by, const std::vector<double>& groups,
-                                   const record::Recording& recording);
+                                   const record::Recording& recording, bool named = false);
 
 }  // namespace stepwire::plot

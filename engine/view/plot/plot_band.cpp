@@ -83,7 +83,7 @@ void draw_bands(const Panel& panel, std::span<const record::Recording> recording
   plot.label("x", x);
   plot.label("y", y);
   for (std::size_t group = 0; group < all.groups.size(); ++group) {
-    const std::string own = all.labels.empty() ? "median" : all.labels[group];
+    const std::string own = all.labels.empty() ? "median" : all.legends[group];
     draw_group(band_of(all, group, shares), group, group < panel.legend.size() ? panel.legend[group] : own,
                plot);
   }

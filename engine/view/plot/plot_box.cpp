@@ -43,7 +43,7 @@ Boxes kinds_of(const Panel& panel, const std::vector<geometry::Curves>& all,
   }
   std::sort(boxes.kinds.begin(), boxes.kinds.end());
   boxes.kinds.erase(std::unique(boxes.kinds.begin(), boxes.kinds.end()), boxes.kinds.end());
-  boxes.kind_names = labels_of(*beside, boxes.kinds, recording_of(panel, recordings));
+  boxes.kind_names = labels_of(*beside, boxes.kinds, recording_of(panel, recordings), true);
   return boxes;
 }
 

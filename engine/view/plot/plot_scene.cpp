@@ -6,6 +6,7 @@
 #include "engine/analyse/query/names_reading.hpp"
 #include "engine/analyse/query/number.hpp"
 #include "engine/analyse/query/run_rows.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/view/drawing/draw.hpp"
 #include "engine/view/plot/plot_kind.hpp"
 
@@ -43,7 +44,8 @@ void read_words(ChosenInstants& instants, const yaml::Node& node, const query::N
   for (const yaml::Node& item : node.as_list()) instants.words.push_back(read.text(item));
   const std::size_t count = std::max<std::size_t>(1, instants.times.size());
   if (instants.words.size() != count)
-    read.fault(node.mark, fmt::format("there are {} texts for {} instants", instants.words.size(), count));
+    read.fault(node.mark, fmt::format("{} for {}", text::there_are(instants.words.size(), "text"),
+                                      text::counted(count, "instant")));
 }
 
 const InstantsTable& instants_table() {

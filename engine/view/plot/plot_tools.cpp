@@ -69,7 +69,7 @@ std::string legend_text(const Panel& panel, const query::Series& y, const geomet
   if (entry < panel.legend.size()) return panel.legend[entry];
   const bool several = panel.series.at("y").size() > 1;
   if (curves.labels.empty()) return several ? y.label : "";
-  return several ? y.label + ", " + curves.labels[group] : curves.labels[group];
+  return several ? y.label + ", " + curves.legends[group] : curves.legends[group];
 }
 
 /// Returns a label that applies to all y.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/analyse/query/names_reading.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/view/drawing/draw.hpp"
 
 namespace stepwire::plot {
@@ -94,7 +95,7 @@ void read_ends(const RigKind& kind, RigElement& element, const yaml::Node& node,
   }
   const std::size_t count = element.points.size();
   if (count < kind.min_points || count > kind.max_points)
-    read.fault(node.mark, fmt::format("there are {} points here; {}", count, kind.doc));
+    read.fault(node.mark, fmt::format("{} here; {}", text::there_are(count, "point"), kind.doc));
 }
 
 /// Reads an angle from x towards y, or components along the axes.

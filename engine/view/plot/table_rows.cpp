@@ -5,6 +5,7 @@
 #include "engine/analyse/query/names_reading.hpp"
 #include "engine/analyse/query/number.hpp"
 #include "engine/analyse/query/run_rows.hpp"
+#include "engine/base/text/count.hpp"
 #include "engine/view/plot/panel_reading.hpp"
 
 namespace stepwire::plot {
@@ -27,8 +28,8 @@ void read_line(TableRows& table, const yaml::Entry& entry, const query::NamesRea
   const auto items = entry.value.as_list();
   if (!table.columns.empty() && items.size() + 1 != table.columns.size())
     return read.fault(entry.value.mark,
-                      fmt::format("'{}' has {} values, but there are {} headings behind that of the names",
-                                  entry.key, items.size(), table.columns.size() - 1));
+                      fmt::format("'{}' has {}, but there are {} headings behind that of the names",
+                                  entry.key, text::counted(items.size(), "value"), table.columns.size() - 1));
   TableRows::Line line{entry.key, {}};
   for (const yaml::Node& item : items)
     if (auto cell = read.series(item)) line.cells.push_back(std::move(*cell));

@@ -30,13 +30,13 @@ const margin = (page) => page.locator(".figure svg text").evaluateAll((all) => a
 test("the loop is cut at a wire, its margins are seen, and follow the gain", {skip: missing}, async () => {
   const studio = await Studio.opened(text), {page} = studio;
   try {
-    await page.getByRole("button", {name: "No, thank you"}).click();
+    await page.getByRole("button", {name: "Dismiss"}).click();
     await page.locator("[data-shape='control']").click();
     await page.keyboard.press("w");
     await page.keyboard.press("b");
     await page.getByText("is added to the text").first().waitFor();
     await page.waitForFunction(() => /linear:\s*loop: \{from: (error|control)\.y, to: \1\.y, open: \1\.y\}figure:\s*- \{plot: bode, of: loop, title: The loop cut behind \1\.y\}/.test(document.querySelector(".cm-content").textContent));
-    await page.getByRole("button", {name: "From the start"}).click();
+    await page.getByRole("button", {name: "Restart"}).click();
     await page.waitForFunction(() => [...document.querySelectorAll(".figure svg text")].some((one) => / dB$/.test(one.textContent)));
     assert.ok(Math.abs(await margin(page) - 20 * Math.log10(border / 2)) < 0.2, `${await margin(page)} dB`);
     const field = page.getByRole("textbox", {name: /^gain/});
@@ -52,11 +52,11 @@ test("the loop is cut at a wire, its margins are seen, and follow the gain", {sk
 test("a second loop is added to the analyses that there are, and the file loads", {skip: missing}, async () => {
   const studio = await Studio.opened(taken), {page} = studio;
   try {
-    await page.getByRole("button", {name: "No, thank you"}).click();
+    await page.getByRole("button", {name: "Dismiss"}).click();
     for (const block of ["control", "plant"]) {
       await page.locator(`[data-shape='${block}']`).click();
       await page.locator(".canvas").press("b");
-      await page.getByText(`cut behind ${block}.y is added to the text`).first().waitFor();
+      await page.getByText(`opened at ${block}.y is added to the text`).first().waitFor();
     }
     await page.locator(".cm-content").focus();
     await page.keyboard.press("Control+s");

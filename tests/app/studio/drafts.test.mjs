@@ -21,7 +21,7 @@ async function type(page, words) {
 async function withStudio(action) {
   const studio = await Studio.opened(text);
   try {
-    await studio.page.getByRole("button", {name: "No, thank you"}).click();
+    await studio.page.getByRole("button", {name: "Dismiss"}).click();
     await action(studio);
   } finally {
     await studio.close();
@@ -39,7 +39,7 @@ test("a draft is there at the next start after kill -9 in the middle of typing, 
   await drafted(studio, "# a first word");
   studio.server.removeAllListeners("exit");
   studio.server.kill("SIGKILL");
-  await studio.page.getByText("no connection, trying again").waitFor();
+  await studio.page.getByText("no connection; reconnecting").waitFor();
   assert.equal(studio.file, text);
   await studio.start();
   const page = await studio.visit(studio.page.context());
@@ -114,7 +114,7 @@ test("where both changed one line, both texts are shown, and Enter keeps both", 
 
 test("the file's text may be taken, and undo brings the own one back", {skip: missing}, () => conflict(async (studio, theirs) => {
   const {page} = studio;
-  await page.getByRole("button", {name: /^Take the file/}).click();
+  await page.getByRole("button", {name: /^Use the file/}).click();
   await textHas(page, "# theirs");
   await page.locator(".cm-content").focus();
   await page.keyboard.press("Control+z");
@@ -124,7 +124,7 @@ test("the file's text may be taken, and undo brings the own one back", {skip: mi
 
 test("the own text may be written over the file's, and undo brings that back", {skip: missing}, () => conflict(async (studio, theirs) => {
   const {page} = studio;
-  await page.getByRole("button", {name: /^Write mine over it/}).click();
+  await page.getByRole("button", {name: /^Overwrite with mine/}).click();
   await page.getByText("is saved with your text").first().waitFor();
   assert.equal(studio.file, text.replace("stepwire: 1", "stepwire: 1  # mine"));
   await page.locator(".cm-content").focus();

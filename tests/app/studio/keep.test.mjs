@@ -19,7 +19,7 @@ async function to(page, share) {
 test("a run is kept beside its file, with a value that was set on its way", {skip: missing}, async () => {
   const studio = await Studio.opened(text, {name: "cart.yaml"}), {page} = studio, folder = join(studio.folder, "cart-run");
   try {
-    await page.getByRole("button", {name: "No, thank you"}).click();
+    await page.getByRole("button", {name: "Dismiss"}).click();
     await to(page, 0.25);
     const field = page.getByRole("textbox", {name: /^mass/});
     await field.fill("3 kg");
@@ -39,7 +39,7 @@ test("a run is kept beside its file, with a value that was set on its way", {ski
 test("a text that is changed after the run was loaded is said to be, until the change is undone", {skip: missing}, async () => {
   const studio = await Studio.opened(text, {name: "cart.yaml"}), {page} = studio, stale = page.locator(".run-stale");
   try {
-    await page.getByRole("button", {name: "No, thank you"}).click();
+    await page.getByRole("button", {name: "Dismiss"}).click();
     await to(page, 0.25);
     assert.equal(await stale.isVisible(), false);
     await page.locator(".cm-content").focus();
@@ -50,7 +50,7 @@ test("a text that is changed after the run was loaded is said to be, until the c
     await stale.waitFor({state: "hidden"});
     await page.keyboard.type("# once more");
     await stale.waitFor({state: "visible"});
-    await page.getByRole("button", {name: "From the start"}).click();
+    await page.getByRole("button", {name: "Restart"}).click();
     await stale.waitFor({state: "hidden"});
   } finally {
     await studio.close();

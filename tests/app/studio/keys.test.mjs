@@ -9,7 +9,7 @@ import {missing, Studio} from "./studio.mjs";
 async function withStudio(action) {
   const studio = await Studio.opened(cartText("cart.position, spring"));
   try {
-    await studio.page.getByRole("button", {name: "No, thank you"}).click();
+    await studio.page.getByRole("button", {name: "Dismiss"}).click();
     await studio.page.waitForSelector("[data-shape='cart']");
     await studio.page.waitForSelector(".scope canvas");
     await action(studio.page);
@@ -61,9 +61,9 @@ test("each digit of the list shows its pane with the focus in it, and its keys w
 }));
 
 test("Space plays and pauses from the drawing, a scope, a slider and behind a click on a button", {skip: missing}, () => withStudio(async (page) => {
-  await page.getByLabel(/^Pace/).selectOption({value: "0.1"});  // the run must not end meanwhile
+  await page.getByLabel(/^Speed/).selectOption({value: "0.1"});  // the run must not end meanwhile
   const places = [() => page.locator(".canvas").focus(), () => page.locator(".scope").first().focus(), () => page.locator(".tuned-slider").first().focus(),
-    () => page.getByRole("separator").first().focus(), () => page.getByRole("button", {name: "Larger (+)"}).click()];
+    () => page.getByRole("separator").first().focus(), () => page.getByRole("button", {name: "Zoom in (+)"}).click()];
   for (const [i, place] of places.entries()) {
     await place();
     await page.keyboard.press("Space");

@@ -52,7 +52,7 @@ const studio = await Studio.opened(hundredBlocks(), {seen: observe}), times = []
 try {
   const {page} = studio;
   await page.waitForSelector("[data-shape='b99']");
-  await page.getByRole("button", {name: "No, thank you"}).click();
+  await page.getByRole("button", {name: "Dismiss"}).click();
   await page.waitForTimeout(1000 * settle);
   await page.locator(".cm-content").focus();
   for (let i = 0; i < warmUp + edits; ++i) {

@@ -61,7 +61,7 @@ test("misses are shown and announced as they come", {skip}, () => {
 
 test("a studio without a loop has no such pane, and a loop that has not begun says so", {skip}, async () => {
   await withLoop(() => timing({served: 0, costs: [], lateness: histogram(1e-6, []), response: histogram(1e-6, []), step: histogram(1e-6, [])}), async ({page}) => {
-    await page.getByText("The loop has not begun: play begins it.").waitFor();
+    await page.getByText("The loop has not started; Play starts it.").waitFor();
   }, {width: 400, height: 800});
   const {page, close} = await openPage(built, {});
   try {
@@ -77,9 +77,9 @@ test("who watches the file's own hand loads the run so, and is the hand again by
   const {page, errors, close} = await openPage(built, {"run.load": load, scene, "scene.watch": () => ({})});
   try {
     await page.getByRole("tab", {name: "Scene"}).click();
-    const button = page.getByRole("button", {name: "File's own hand"});
+    const button = page.getByRole("button", {name: "Hand of the file"});
     await button.click();
-    await page.getByText("The file's own hand moves: the scene shows only.").waitFor();
+    await page.getByText("The hand of the file moves it; you only watch.").waitFor();
     assert.equal(await button.getAttribute("aria-pressed"), "true");
     await button.click();
     await until(() => loads.at(-1) === true && loads.length > 2);

@@ -24,7 +24,7 @@ const shape = (page, id) => page.locator(`[data-shape="${id}"]`);
 
 /** Opens the file, checks that its fault is marked, and applies the quick fix by keys. */
 async function mend(page) {
-  await page.getByRole("button", {name: "No, thank you"}).click();
+  await page.getByRole("button", {name: "Dismiss"}).click();
   await page.waitForSelector(".cm-lintRange-error");
   assert.match(await page.locator(".drawing-fault").textContent(), /no block 'comand'; did you mean 'command'/);
   await page.locator(".cm-content").focus();
@@ -52,8 +52,8 @@ async function connect(page) {
 
 /** Runs to the end, as fast as possible. */
 async function run(page) {
-  await page.getByLabel(/^Pace/).selectOption({value: "0"});
-  await page.getByRole("button", {name: "From the start"}).click();
+  await page.getByLabel(/^Speed/).selectOption({value: "0"});
+  await page.getByRole("button", {name: "Restart"}).click();
   await page.getByRole("button", {name: "Play"}).click();
   await page.waitForFunction(() => document.querySelector(".run-time").textContent.startsWith("2.000"));
   await page.waitForSelector(".scope canvas");

@@ -12,7 +12,7 @@ const field = (page, name) => page.getByRole("textbox", {name: new RegExp(`^${na
 
 /** Plays up to a time. */
 async function playTo(page, time) {
-  await page.getByLabel(/^Pace/).selectOption({value: "1"});
+  await page.getByLabel(/^Speed/).selectOption({value: "1"});
   await page.getByRole("button", {name: "Play"}).click();
   await page.waitForFunction((least) => parseFloat(document.querySelector(".run-time").textContent) >= least, time);
 }
@@ -43,7 +43,7 @@ async function pinnedRun(page) {
   await page.getByRole("button", {name: "Pin run"}).click();
   await page.locator(".pin-label").waitFor();
   await setTo(page, "mass", "1 kg");
-  await page.getByRole("button", {name: "From the start"}).click();
+  await page.getByRole("button", {name: "Restart"}).click();
   await playTo(page, 2.9);
   await page.waitForFunction(() => document.querySelector(".run-time").title.includes("ended"));
   const over = page.locator(".scope .u-over").first(), {width} = await over.boundingBox();
@@ -63,7 +63,7 @@ mkdirSync(folder, {recursive: true});
 for (const [name, [pane, action]] of Object.entries(pictures)) {
   const studio = await Studio.opened(cart, {name: "cart.yaml", width: 1280, height: 800}), {page} = studio;
   try {
-    await page.getByRole("button", {name: "No, thank you"}).click();
+    await page.getByRole("button", {name: "Dismiss"}).click();
     await page.waitForSelector("[data-shape='cart']");
     await action(page);
     const shown = pane ? page.locator(pane) : page.locator("dialog[open]");

@@ -10,7 +10,7 @@ const lines = (page) => page.locator(".cm-content").evaluate((content) => [...co
 test("a page that lost its server says so, keeps what is typed, and goes on once it is there again", {skip}, () => withPage(async ({page, diagram, calls, cut, news}) => {
   let isBack = false;
   cut(() => isBack);
-  await page.getByText("no connection, trying again").waitFor();
+  await page.getByText("no connection; reconnecting").waitFor();
   await page.locator(".cm-content").focus();
   await page.keyboard.press("Control+Home");
   await page.keyboard.press("End");
@@ -20,7 +20,7 @@ test("a page that lost its server says so, keeps what is typed, and goes on once
   const before = calls.length;
   isBack = true;
   await until(() => diagram.text.startsWith("stepwire: 1  # typed without a server\n"));
-  assert.equal(await page.getByText("no connection, trying again").isVisible(), false);
+  assert.equal(await page.getByText("no connection; reconnecting").isVisible(), false);
   const again = calls.slice(before).map(({call}) => call);
   for (const call of ["hello", "data.want", "edit", "graph", "language"]) assert.ok(again.includes(call), `${call} is not among ${again}`);
   diagram.edit([{from: 0, to: 0, text: "# another page\n"}]);
@@ -32,7 +32,7 @@ test("a page that lost its server says so, keeps what is typed, and goes on once
 test("where the server has another text after it was lost, what was typed is not lost, and nothing is doubled", {skip}, () => withPage(async ({page, diagram, cut}) => {
   let isBack = false;
   cut(() => isBack);
-  await page.getByText("no connection, trying again").waitFor();
+  await page.getByText("no connection; reconnecting").waitFor();
   await page.locator(".cm-content").focus();
   await page.keyboard.press("Control+End");
   await page.keyboard.type("# mine");

@@ -40,12 +40,12 @@ async function dropped(page, from, port, to) {
 test("a refused wire says its reason at the pointer, and changes nothing", {skip: missing}, async () => {
   const studio = await Studio.opened(text), {page} = studio;
   try {
-    await page.getByRole("button", {name: "No, thank you"}).click();
+    await page.getByRole("button", {name: "Dismiss"}).click();
     await page.waitForSelector("[data-shape='cart']");
     const before = await page.locator(".cm-content").textContent();
     for (const [from, port, to, why] of [
       ["cart", "position", "net", /in m\b.*in N|in N\b.*in m\b/],
-      ["cart", "position", "push", /push takes no signal/],
+      ["cart", "position", "push", /push has no input/],
     ]) {
       const {text: said, far} = await dropped(page, from, port, to);
       assert.match(said, why, `${from} to ${to}`);
@@ -63,7 +63,7 @@ test("a refused wire says its reason at the pointer, and changes nothing", {skip
 test("a wire to an input that has one takes its place, and says of what", {skip: missing}, async () => {
   const studio = await Studio.opened(text), {page} = studio;
   try {
-    await page.getByRole("button", {name: "No, thank you"}).click();
+    await page.getByRole("button", {name: "Dismiss"}).click();
     await page.waitForSelector("[data-shape='heater']");
     await page.locator("[data-shape='net']").hover();
     const output = await page.locator("[data-shape='net'] .port-output").boundingBox(), input = await page.locator("[data-shape='heater'] .port-input").boundingBox();
@@ -73,7 +73,7 @@ test("a wire to an input that has one takes its place, and says of what", {skip:
     await page.waitForSelector("[data-shape='heater'].fits");
     await page.mouse.move(input.x + input.width / 2, input.y + input.height / 2, {steps: 3});
     await page.mouse.up();
-    await page.getByText(/net\.y is connected to heater\.u in the place of push/).first().waitFor();
+    await page.getByText(/net\.y is connected to heater\.u instead of push/).first().waitFor();
     assert.deepEqual(studio.errors, []);
   } finally {
     await studio.close();

@@ -76,7 +76,7 @@ async function pictures(name, colorScheme) {
   const studio = await (file ? Studio.on(join(root, file), options) : Studio.opened(small, options)), {page} = studio, paths = [];
   try {
     page.setDefaultTimeout(8000);
-    await page.getByRole("button", {name: "No, thank you"}).click().catch(() => {});
+    await page.getByRole("button", {name: "Dismiss"}).click().catch(() => {});
     await page.waitForSelector("[data-shape]", {state: "attached"}).catch(() => {});
     await page.waitForTimeout(700);
     await action(page, studio).catch((thrown) => say(thrown.message.split("\n")[0]));

@@ -99,7 +99,7 @@ test("saving shows both texts where the file was changed elsewhere, and writes o
   assert.match(await sides.nth(0).textContent(), /stepwire: 10/);
   assert.match(await sides.nth(1).textContent(), /value: 3/);
   assert.match(diagram.saved, /value: 3/);
-  await page.getByRole("button", {name: "Write mine over it"}).click();
+  await page.getByRole("button", {name: "Overwrite with mine"}).click();
   await until(() => diagram.saved === diagram.text);
 }));
 

@@ -26,7 +26,7 @@ record: [lag, angle]
 async function withStudio(action) {
   const studio = await Studio.opened(text);
   try {
-    await studio.page.getByRole("button", {name: "No, thank you"}).click();
+    await studio.page.getByRole("button", {name: "Dismiss"}).click();
     await action(studio);
     assert.deepEqual(studio.errors, []);
   } finally {
@@ -38,7 +38,7 @@ const field = (page, name) => page.getByRole("textbox", {name: new RegExp(`^${na
 const ended = (page) => page.waitForFunction(() => document.querySelector(".run-time").textContent.startsWith("2.000") && document.querySelector(".run-time").title.includes("ended"));
 
 async function runToEnd(page) {
-  await page.getByLabel(/^Pace/).selectOption({value: "0"});
+  await page.getByLabel(/^Speed/).selectOption({value: "0"});
   await page.getByRole("button", {name: "Play"}).click();
   await ended(page);
 }
@@ -59,7 +59,7 @@ test("each number has one slider, in the unit of the file, and goes back into th
 }));
 
 test("a plain run has no deadlines, and a pinned one says with which values it was made", {skip: missing}, () => withStudio(async ({page}) => {
-  await page.getByLabel(/^Pace/).selectOption({value: "0.1"});
+  await page.getByLabel(/^Speed/).selectOption({value: "0.1"});
   await page.getByRole("button", {name: "Play"}).click();
   await page.waitForFunction(() => parseFloat(document.querySelector(".run-time").textContent) > 0.01);
   await field(page, "goal").fill("35 mm");

@@ -30,7 +30,7 @@ async function faults(page) {
 async function atSize(width, height, action) {
   const studio = await Studio.opened(text, {width, height});
   try {
-    await studio.page.getByRole("button", {name: "No, thank you"}).click();
+    await studio.page.getByRole("button", {name: "Dismiss"}).click();
     if (width > 720) await studio.page.waitForSelector("[data-shape='cart']");  // on a narrow page it is behind a tab
     await action(studio.page);
     assert.deepEqual(studio.errors, []);
@@ -77,7 +77,7 @@ test("a block is inserted, connected, changed and deleted without a mouse", {ski
   await page.locator(".canvas").focus();
   await page.keyboard.press("i");
   await page.getByLabel("Search blocks").fill("Gain");
-  await page.getByLabel("what feeds u").selectOption("cart.velocity");
+  await page.getByLabel("source of u").selectOption("cart.velocity");
   await page.getByLabel("Search blocks").press("Enter");
   await page.waitForSelector("[data-shape='gain']");
   assert.match(await content(), /gain: \{block: Gain, .*u: cart\.velocity\}/);

@@ -135,5 +135,5 @@ TEST_CASE("An interlock with too few names is refused") {
   CHECK_THAT(
       error_of(
           "step: 1 ms\nstop: 1 s\nblocks:\n  lock: {block: Interlock, u: 1, faults: [0, 0], causes: [a]}\n"),
-      Catch::Contains("lock.causes") && Catch::Contains("1 names for 2 faults"));
+      Catch::Contains("lock.causes") && Catch::Contains("there is 1 name for 2 faults"));
 }

@@ -68,7 +68,7 @@ TEST_CASE("A piecewise law whose points fall or lack values is refused") {
   };
   CHECK_THAT(refused("points: [1 mm, 0 mm], values: [1 N, 2 N]"),
              Catch::Contains("p.points") && Catch::Contains("must not fall"));
-  CHECK_THAT(refused("points: [1 mm], values: [1 N, 2 N]"), Catch::Contains("1 points and 2 values"));
+  CHECK_THAT(refused("points: [1 mm], values: [1 N, 2 N]"), Catch::Contains("there is 1 point and 2 values"));
 }
 
 TEST_CASE("A diagram chooses the proportionality law by its name") {

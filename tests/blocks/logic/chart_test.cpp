@@ -137,7 +137,7 @@ TEST_CASE("What is wrong with a chart is said at its place") {
   CHECK_THAT(refusal("    states: {a: {initial: z, states: {b: }}}\n"),
              Catch::Contains("holds no state 'z'"));
   CHECK_THAT(refusal("    counters: {n: x}\n    states: {a: }\n"), Catch::Contains("needs a number"));
-  CHECK_THAT(refusal("    variables: [x, y]\n    states: {a: }\n"), Catch::Contains("2 names for 1 inputs"));
+  CHECK_THAT(refusal("    variables: [x, y]\n    states: {a: }\n"), Catch::Contains("2 names for 1 input"));
   CHECK_THAT(refusal("    states: {a: {to: [{when: u > 1}]}}\n"), Catch::Contains("must be a map such as"));
   CHECK_THAT(refusal("    states: {a: {to: [{to: a, when: u > 1, rank: 1}]}}\n"),
              Catch::Contains("has no 'rank'"));

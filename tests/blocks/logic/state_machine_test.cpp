@@ -72,7 +72,7 @@ TEST_CASE("What is wrong with a state machine is said at its place") {
              Catch::Contains("the guard from 'a' to 'b'"));
   CHECK_THAT(refusal("    states: {a: {too: {b: u1 > 1}}, b: {}}\n"), Catch::Contains("has no 'too'"));
   CHECK_THAT(refusal("    states: {a: {output: [1, 2], to: {b: u1 > 1}}, b: {output: [1]}}\n"),
-             Catch::Contains("state 'b' has 1 outputs and one before has 2"));
+             Catch::Contains("state 'b' has 1 output and one before has 2"));
   CHECK_THAT(refusal("    states: {a: {output: fast}}\n"),
              Catch::Contains("'fast' in the output of state 'a'"));
   CHECK_THAT(refusal("    initial: z\n    states: {a: {}}\n"),

@@ -55,7 +55,7 @@ TEST_CASE("inputs of a formula may have names of their own, one for each") {
   CHECK_THAT(error_of(diagram_text("expression: u1, variables: [t, radius], u: [t, 3]")),
              Catch::Contains("it may use t, radius"));
   CHECK_THAT(error_of(diagram_text("expression: t, variables: [t, radius], u: [t]")),
-             Catch::Contains("y.variables: there are 2 names for 1 inputs; each needs one"));
+             Catch::Contains("y.variables: there are 2 names for 1 input; each needs one"));
 }
 
 TEST_CASE("a formula has at most 64 inputs") {

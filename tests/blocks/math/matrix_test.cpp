@@ -183,7 +183,7 @@ TEST_CASE("what has no whole columns, other units or no end stands beside no mat
   const std::string A = "  A: {block: Constant, value: {value: [[1, 2], [3, 4]], unit: N}}\n";
   const auto error = [&](const std::string& blocks) { return error_of(head + A + blocks + "record: [B]\n"); };
   CHECK_THAT(error("  B: {block: Concatenate, u: [A, 5 N]}\n"),
-             Catch::Contains("this has 1 elements, which are no whole columns of 2"));
+             Catch::Contains("this has 1 element, which are no whole columns of 2"));
   CHECK_THAT(error("  B: {block: Stack, u: [A, [5 N, 6 N, 7 N]]}\n"), Catch::Contains("B.u"));
   CHECK_THAT(error("  B: {block: Concatenate, u: [A, [5 m, 6 m]]}\n"), Catch::Contains("is in m"));
   CHECK_THAT(error("  B: {block: Concatenate, u: [late, A]}\n  late: {block: UnitDelay, u: B}\n"),

@@ -96,5 +96,5 @@ TEST_CASE("Each channel has its own precision") {
   CHECK_THAT(error_of("step: 1 s\nstop: 1 s\nrecord: [e.estimate]\nblocks:\n  e: {block: DriftEstimator, "
                       "measured: [3, 4], "
                       "precision: [1], direction: [1, 0], along: 0}\n"),
-             Catch::Contains("1 numbers for 2 channels"));
+             Catch::Contains("1 number for 2 channels"));
 }

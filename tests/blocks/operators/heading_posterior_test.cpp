@@ -71,5 +71,5 @@ TEST_CASE("Each direction has its own precision") {
           "step: 1 s\nstop: 1 s\nrecord: [h.sure]\nblocks:\n  h: {block: HeadingPosterior, direction: [0, "
           "1], "
           "precision: [1], force: 0, push: 0, maximum: 0, free: 0, moving: 0, judged: 0, threshold: 1}\n"),
-      Catch::Contains("1 numbers for 2 directions"));
+      Catch::Contains("1 number for 2 directions"));
 }

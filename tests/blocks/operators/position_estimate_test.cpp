@@ -47,5 +47,5 @@ TEST_CASE("Each channel of a position has its own precision") {
       error_of(
           "step: 1 s\nstop: 1 s\nrecord: [e.y]\nblocks:\n  e: {block: PositionEstimate, model: [0 m, 0 m], "
           "measured: [[3 m, 0 m], [4 m, 0 m]], precision: [1]}\n"),
-      Catch::Contains("1 numbers for 2 channels"));
+      Catch::Contains("1 number for 2 channels"));
 }

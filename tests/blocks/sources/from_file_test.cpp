@@ -232,7 +232,7 @@ TEST_CASE("rows that are no numbers, no rows, and times that stand still are tol
   REQUIRE_THAT(message("time,x\n0,1\n0.1,inf\n"),
                Catch::Contains("bad.csv:3: x is inf; every row must be a finite"));
   REQUIRE_THAT(message("time,x\nnan,1\n0.1,2\n"), Catch::Contains("bad.csv:2: time has no value"));
-  REQUIRE_THAT(message("time,x\n0,1\n"), Catch::Contains("1 rows in use"));
+  REQUIRE_THAT(message("time,x\n0,1\n"), Catch::Contains("1 row in use"));
   REQUIRE_THAT(message("time,x\n"), Catch::Contains("no rows below the header"));
   REQUIRE_THAT(message(""), Catch::Contains("the file is empty"));
 }

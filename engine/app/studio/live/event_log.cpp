@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "engine/base/text/count.hpp"
 #include "engine/base/yaml/message.hpp"
 #include "engine/model/diagram/variation.hpp"
 
@@ -38,7 +39,8 @@ std::size_t input_of(const LiveEvent& event, const plan::Plan& plan) {
     throw yaml::Error(yaml::Fault{{plan.diagram.file, {}}, event.name, "there is no input of this name", {}});
   const auto size = static_cast<std::size_t>(plan.slot({found->block, 0, -1}).size);
   if (size == event.values.size()) return index;
-  const std::string wrong = fmt::format("takes {} numbers, not {}", size, event.values.size());
+  const std::string wrong =
+      fmt::format("takes {}, not {}", text::counted(size, "number"), event.values.size());
   throw yaml::Error(yaml::Fault{{plan.diagram.file, {}}, event.name, wrong, {}});
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/base/text/count.hpp"
 #include "engine/base/yaml/error.hpp"
 
 namespace stepwire::live {
@@ -43,10 +44,11 @@ std::size_t LiveInputs::find(const std::string& name) const {
 void LiveInputs::push(InputSample sample) {
   const std::size_t size = defaults_[find(sample.name)].size();
   if (size != sample.values.size())
-    throw yaml::Error(yaml::Fault{{plan_.diagram.file, {}},
-                                  sample.name,
-                                  fmt::format("takes {} numbers, not {}", size, sample.values.size()),
-                                  {}});
+    throw yaml::Error(
+        yaml::Fault{{plan_.diagram.file, {}},
+                    sample.name,
+                    fmt::format("takes {}, not {}", text::counted(size, "number"), sample.values.size()),
+                    {}});
   const std::lock_guard lock(mutex_);
   if (waiting_.size() >= most_waiting) waiting_.erase(waiting_.begin());
   writers_[sample.name] = sample.client;

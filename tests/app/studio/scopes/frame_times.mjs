@@ -108,11 +108,11 @@ async function slid() {
 
 const studio = await Studio.opened(hundredSignals(), {seen: observe}), {page} = studio;
 try {
-  await page.getByRole("button", {name: "No, thank you"}).click();
+  await page.getByRole("button", {name: "Dismiss"}).click();
   await allScopes(page);
   const starts = [await opened(studio), await opened(studio), await opened(studio)];
   print("studio", "start to usable, p50", "ms", quantile(starts, 0.5), 1000);
-  await page.getByLabel("How much time is seen").selectOption("60");
+  await page.getByLabel("Time span shown").selectOption("60");
   await play(page, "10", 62);
   await play(page, "1", 62);
   await page.waitForTimeout(1500);
@@ -120,7 +120,7 @@ try {
   print("slider", "sent to taken over, p50", "ms", quantile(await page.evaluate(slid), 0.5), 5);
   await play(page, "10", zoomAt);
   await page.locator(".play").click();
-  await page.getByLabel("How much time is seen").selectOption("60");
+  await page.getByLabel("Time span shown").selectOption("60");
   const zooms = await page.evaluate(zoomed, 40), workload = `zoom in ${Math.round(zoomAt * 1e5).toLocaleString("en")} samples`;
   printQuantiles(workload, "wheel to drawn", "ms", zooms.map(({all}) => all), 50);
   printQuantiles(workload, "request to numbers in the page", "ms", zooms.map(({server}) => server));

@@ -22,9 +22,9 @@ try {
   };
   const resident = () => Number(/^VmRSS:\s+(\d+) kB/m.exec(readFileSync(`/proc/${server.pid}/status`, "utf8"))[1]) / 1e3;
   const at = (seconds) => page.waitForFunction((time) => parseFloat(document.querySelector(".run-time").textContent) >= time, seconds, {timeout: 0, polling: 500});
-  await page.getByRole("button", {name: "No, thank you"}).click();
+  await page.getByRole("button", {name: "Dismiss"}).click();
   await page.waitForFunction(() => document.querySelectorAll(".scope .trace").length === 20);
-  await page.getByLabel("How much time is seen").selectOption("60");
+  await page.getByLabel("Time span shown").selectOption("60");
   await page.locator(".play").click();
   await at(filled);
   const first = {heap: await heap(), resident: resident()};

@@ -16,14 +16,14 @@ test("a scope is saved as a picture, its range as CSV, and copied as a figure", 
   assert.match(picture, /^<svg xmlns="http:\/\/www.w3.org\/2000\/svg"/);
   assert.match(picture, /cart.position<\/text>/);
   assert.ok((picture.match(/<path/g) ?? []).length === 3);
-  await menu(page, 0, "Show against the first signal");
+  await menu(page, 0, "Plot against the first signal");
   await page.waitForFunction(() => studio.board.scopes[0].isAgainst);
   await settled(page);
   const against = await saved("Save the picture as SVG");
   assert.ok((against.match(/<path/g) ?? []).length === 2 && !against.includes("NaN") && against.includes("cart.position mm"));
   await menu(page, 0, "Show over time");
   assert.match(await saved("Save the range as CSV"), /^time \[s\]/);
-  await menu(page, 0, "Copy as figure:");
+  await menu(page, 0, "Copy as a section figure");
   assert.match(await page.evaluate(() => navigator.clipboard.readText()), /^figure: \{plot: lines, x: time in s, y: \[cart.position in mm, /);
 }));
 
@@ -52,7 +52,7 @@ test("scopes are there again after the page is loaded anew, and those of the fil
   await page.waitForFunction(() => window.studio?.board.scopes.length === 3);
   await page.waitForFunction(() => studio.board.scopes[2].traces[0].column === 7);
   await page.getByRole("button", {name: "More about scopes"}).click();
-  await page.getByRole("menuitem", {name: "The scopes of the file again"}).click();
+  await page.getByRole("menuitem", {name: "Reset to the scopes of the file"}).click();
   assert.equal(await page.evaluate(() => studio.board.scopes.length), 2);
 }));
 

@@ -45,7 +45,7 @@ export async function settled(page) {
 
 export const over = (page, scope = 0) => page.locator(".scope").nth(scope).locator(".u-over");
 export const menu = async (page, scope, entry) => {
-  await page.locator(".scope").nth(scope).getByRole("button", {name: "What may be done"}).click();
+  await page.locator(".scope").nth(scope).getByRole("button", {name: "Menu of"}).click();
   await page.getByRole("menuitem", {name: entry}).click();
 };
 export const state = (page) => page.locator(".scope-bar .chip").first().textContent();

@@ -43,7 +43,7 @@ async function ended(action, text = cart) {
   const studio = await Studio.opened(text), {page} = studio;
   try {
     await page.locator(".scope .trace").first().waitFor();
-    await page.getByRole("button", {name: "No, thank you"}).click();
+    await page.getByRole("button", {name: "Dismiss"}).click();
     await toEnd(page);
     await action(studio, page);
     assert.deepEqual(studio.errors, []);
@@ -59,7 +59,7 @@ async function toEnd(page) {
 }
 
 const menu = async (page, entry) => {
-  await page.locator(".scope").first().getByRole("button", {name: "What may be done"}).click();
+  await page.locator(".scope").first().getByRole("button", {name: "Menu of"}).click();
   await page.getByRole("menuitem", {name: entry}).click();
 };
 
@@ -104,7 +104,7 @@ test("a tuned value stays after a restart; the kept run and the next one differ 
   await field.fill("3 kg");
   await field.press("Enter");
   await page.locator(".tuned-echo").first().getByText("3 kg from tick").waitFor();
-  await page.getByRole("button", {name: "From the start"}).click();
+  await page.getByRole("button", {name: "Restart"}).click();
   await page.locator(".scope-bar .chip").first().getByText("model paused").waitFor();
   await toEnd(page);
   await menu(page, "Show the difference to run 1");
@@ -129,7 +129,7 @@ test("an expression with units is drawn beside, and its fault is said where ther
 
 test("a peak of one tick is seen among 200,000", options, () => ended(async (studio, page) => {
   assert.equal(studio.run().spike.filter((value) => value !== 0).length, 1);
-  await page.getByLabel("How much time is seen").selectOption("300");
+  await page.getByLabel("Time span shown").selectOption("300");
   const seen = () => page.evaluate(() => {
     const canvas = document.querySelector(".scope canvas"), context = canvas.getContext("2d"), over = document.querySelector(".scope .u-over"), ratio = devicePixelRatio;
     const left = Math.round(over.offsetLeft * ratio), top = Math.round(over.offsetTop * ratio), width = Math.round(over.clientWidth * ratio), height = Math.round(over.clientHeight * ratio);

@@ -39,7 +39,7 @@ test("signals are searched and added by the keyboard", options, () => at(1, asyn
 }));
 
 test("one signal against another, and back", options, () => at(3, async (page) => {
-  await menu(page, 0, "Show against the first signal");
+  await menu(page, 0, "Plot against the first signal");
   await page.waitForFunction(() => studio.board.scopes[0].isAgainst && studio.board.scopes[0].groups[0]?.traces.length === 2);
   await menu(page, 0, "Show over time");
   assert.ok(await page.evaluate(() => !studio.board.scopes[0].isAgainst));

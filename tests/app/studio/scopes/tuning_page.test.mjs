@@ -28,7 +28,7 @@ test("a tuned value goes to the text as an event with name and text", options, (
 
 test("a sweep over a slider is drawn behind the scopes", options, () => at(1, async (page) => {
   await page.getByRole("button", {name: /Run it at 9 values.*: gain/}).click();
-  await page.locator(".scope-note").first().getByText("behind: 9 runs with gain from 0 to 3").waitFor();
+  await page.locator(".scope-note").first().getByText("background: 9 runs with gain from 0 to 3").waitFor();
   await page.waitForFunction(() => studio.board.scopes[0].groups[0].range.now.high > 0.058);
 }));
 

@@ -39,6 +39,17 @@ TEST_CASE("mean and rms of a sine over half a period are 2/pi and the square roo
   CHECK(verdict_of("rms: rig.x, at_most: 1", records).value == Approx(std::sqrt(0.5)).epsilon(1e-4));
 }
 
+TEST_CASE("a whole number is shown with all its digits") {
+  const auto shown = [](double value) {
+    return verdict_of("final: rig.x, at_least: -1e300 m", record_of({0, 1}, {0, value})).shown;
+  };
+  CHECK(shown(832040.0) == "832040 m");
+  CHECK(shown(-30000.0) == "-30000 m");
+  CHECK(shown(999999999999999.0) == "999999999999999 m");
+  CHECK(shown(1e15) == "1e+15 m");
+  CHECK(shown(832040.5) == "8.32e+05 m");
+}
+
 TEST_CASE("rms and fit are right where squares of the rows are too large or too small for a double") {
   for (const double size : {1e-200, 1e200, 1e-300, 1e300}) {
     INFO(size);

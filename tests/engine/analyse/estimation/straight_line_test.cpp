@@ -1,6 +1,8 @@
 // Fits whose answers a closed form gives: a straight line through eight points.
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <string>
 
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/simulate/run/code_trial.hpp"
@@ -44,6 +46,47 @@ TEST_CASE("standard errors, intervals and the correlation are those of the textb
   CHECK(steep.high - steep.value == Approx(t_of_6 * error).epsilon(1e-6));
   CHECK(flat.value - flat.low == Approx(t_of_6 * level).epsilon(1e-6));
   CHECK(result.correlation(0, 1) == Approx(-3.5 / std::sqrt(3.5 * 3.5 + 42.0 / 8.0)).epsilon(1e-6));
+}
+
+TEST_CASE("two records share a slope and have a bias each, as in an analysis of covariance") {
+  // Least squares of y = slope t + bias_i. S_tt = sum (t - mean t)^2 and S_ty = sum (t - mean t)(y - mean y)
+  // of each record are added: slope = S_ty / S_tt. Then bias_i = mean y_i - slope mean t.
+  const std::array<std::array<double, 8>, 2> y{
+      {{1.1, 2.9, 5.2, 6.8, 9.1, 11.2, 12.8, 15.1}, {4.2, 5.7, 8.1, 10.3, 11.6, 14.2, 15.9, 18.3}}};
+  std::array<double, 2> mean{};
+  double products = 0.0, squares_of_both = 0.0;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    for (const double one : y[i]) mean[i] += one / 8.0;
+    for (std::size_t t = 0; t < 8; ++t) products += (static_cast<double>(t) - 3.5) * (y[i][t] - mean[i]);
+  }
+  const double both_slope = products / 84.0;
+  for (std::size_t i = 0; i < y.size(); ++i)
+    for (std::size_t t = 0; t < 8; ++t) {
+      const double rest = y[i][t] - mean[i] - both_slope * (static_cast<double>(t) - 3.5);
+      squares_of_both += rest * rest;
+    }
+  const double deviation = std::sqrt(squares_of_both / 13.0);
+  std::string text = straight_line(
+      "  parameters: {slope: {start: 0.5}, bias: {start: 1, each_record: true}}\n"
+      "  compare: [{model: model, measured: seen}]\n");
+  text.replace(
+      text.find("record: [model, y,"), 18,
+      "  second: {block: LookupTable, u: t, points: [0, 1, 2, 3, 4, 5, 6, 7], values: [4.2, 5.7, 8.1, 10.3, "
+      "11.6, 14.2, 15.9, 18.3]}\n  seen: {block: Expression, u: [y, second], expression: "
+      "\"$trial == 1 ? u1 : u2\"}\nsweep: {trial: [1, 2]}\nrecord: [model, seen,");
+  text.replace(text.find("parameters:\n"), 12, "parameters:\n  trial: {value: 1, doc: which record}\n");
+  const FitResult result = fit_text(text);
+  CHECK(result.converged);
+  CHECK(result.freedom == 13.0);
+  CHECK(result.deviation == Approx(deviation).epsilon(1e-7));
+  CHECK(found(result, "slope").value == Approx(both_slope).epsilon(1e-9));
+  CHECK(found(result, "slope").standard_error == Approx(deviation / std::sqrt(84.0)).epsilon(1e-6));
+  const std::array<std::string, 2> names{"bias of 1", "bias of 2"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    CHECK(found(result, names[i]).value == Approx(mean[i] - 3.5 * both_slope).epsilon(1e-8));
+    CHECK(found(result, names[i]).standard_error ==
+          Approx(deviation * std::sqrt(1.0 / 8.0 + 3.5 * 3.5 / 84.0)).epsilon(1e-6));
+  }
 }
 
 TEST_CASE("a free offset does what a fitted bias does") {

@@ -41,7 +41,7 @@ TEST_CASE("fit finds the parameters, writes them, and judges the claims with the
   const Done done = run_program(folder, {"fit", "a.yaml", "--out", "out"});
   INFO(done.err << done.out);
   CHECK(done.code == 0);
-  CHECK_THAT(done.out, StartsWith("fit: 1 numbers, 201 rows, ") && Contains("  tau  0.2 s"));
+  CHECK_THAT(done.out, StartsWith("fit: 1 number, 201 rows, ") && Contains("  tau  0.2 s"));
   const nlohmann::json fit = json_file(folder, "out/fit.json");
   CHECK(fit["parameters"][0]["value"].get<double>() == Approx(0.2));
   CHECK(fit["parameters"][0]["unit"] == "s");
@@ -67,6 +67,31 @@ TEST_CASE("run fits first, and where the call sets all that is sought it predict
   CHECK(agreement > 50.0);
   CHECK(agreement < 75.0);
   CHECK(run_program(folder, {"verify", "other"}).code == 0);
+}
+
+TEST_CASE("a parameter at its bound is a note, which --strict makes a failure") {
+  const Scratch folder;
+  std::string text = fit_yaml;
+  text.replace(text.find("bounds: [10 ms, 10 s]"), 21, "bounds: [0.5 s, 10 s]");
+  text.erase(text.find("claims:"));
+  folder.file("a.yaml", text);
+  const Done done = run_program(folder, {"fit", "a.yaml"});
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out, Contains("note: tau is at its lower bound"));
+  CHECK(run_program(folder, {"fit", "a.yaml", "--strict"}).code == 1);
+  folder.file("good.yaml", fit_yaml);
+  CHECK(run_program(folder, {"fit", "good.yaml", "--strict"}).code == 0);
+}
+
+TEST_CASE("a block that nothing reads is a note, which --strict makes a failure of check and run") {
+  const Scratch folder;
+  folder.file("a.yaml",
+              "stepwire: 1\ntitle: t\nstep: 1 s\nstop: 1 s\nblocks:\n  a: {block: Constant, value: 1}\n"
+              "  b: {block: Constant, value: 2}\nrecord: [a]\n");
+  for (const char* verb : {"check", "run"}) {
+    CHECK(run_program(folder, {verb, "a.yaml"}).code == 0);
+    CHECK(run_program(folder, {verb, "a.yaml", "--strict"}).code == 1);
+  }
 }
 
 TEST_CASE("a fit says of a constant record that it is constant, and Ceres says nothing") {

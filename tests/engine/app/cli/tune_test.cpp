@@ -45,7 +45,7 @@ TEST_CASE("tune finds the parameters, writes them with their history, and judges
   const Done done = run_program(folder, {"tune", "a.yaml", "--out", "out"});
   INFO(done.err << done.out);
   CHECK(done.code == 0);
-  CHECK_THAT(done.out, StartsWith("tune: 1 parameters, ") && Contains("; bobyqa\n") && Contains(" s ") &&
+  CHECK_THAT(done.out, StartsWith("tune: 1 parameter, ") && Contains("; bobyqa\n") && Contains(" s ") &&
                            Contains("from 1 s\n") && Contains("ok   the lag is found"));
   const nlohmann::json tune = json_of(folder, "out/tune.json");
   CHECK(tune["parameters"][0]["value"].get<double>() == Approx(0.2).epsilon(5e-3));

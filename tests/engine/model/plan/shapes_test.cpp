@@ -135,7 +135,7 @@ TEST_CASE("rows and columns that nothing determines are assumed alike in any ord
 
 TEST_CASE("rows of different length are no matrix") {
   CHECK(only_fault("  m: {block: MatrixGain, gain: [[1, 2], [3]], u: w}\n") ==
-        "test.yaml:4:41: m.gain: this row has 1 numbers, the first has 2");
+        "test.yaml:4:41: m.gain: this row has 1 number, the first has 2");
 }
 
 }  // namespace stepwire::plan

@@ -65,7 +65,7 @@ TEST_CASE("lists of different length cannot be paired") {
       "parameters: {a: 0, b: 0}\nblocks:\n  y: {block: Sum, u: [$a, $b]}\nsweep: {a: [1, 2, 3], b: [1], "
       "together: true}\n");
   REQUIRE(refused.size() == 1);
-  CHECK_THAT(refused[0], Catch::StartsWith("test.yaml:4:23: sweep.b: has 1 values, 'a' has 3"));
+  CHECK_THAT(refused[0], Catch::StartsWith("test.yaml:4:23: sweep.b: has 1 value, 'a' has 3"));
 }
 
 TEST_CASE("words are swept as numbers that stand for them") {

@@ -75,4 +75,23 @@ TEST_CASE("a solver that is not known is refused where it stands, with the neare
         "rk4, dormand_prince, dop853, rosenbrock, sdirk, rodas, radau, auto");
 }
 
+TEST_CASE("a solver of another program is answered with the one of its use") {
+  const auto answer = [](const std::string& name) {
+    const auto refused = faults_of("solver: " + name + "\nblocks:\n  x: {block: Integrator, u: 1}\n");
+    const std::string begin =
+        "test.yaml:1:9: solver: there is no solver '" + name + "'; in its place write '";
+    REQUIRE(refused.size() == 1);
+    return refused[0].starts_with(begin) ? refused[0].substr(begin.size()) : refused[0];
+  };
+  for (const char* name : {"ode45", "RK45", "dopri5"})
+    CHECK(answer(name) == "solver: {name: dormand_prince, relative: 1e-6}'");
+  CHECK(answer("ode23") == "solver: {name: bogacki_shampine, relative: 1e-6}'");
+  for (const char* name : {"ode15s", "ode23t", "cvode", "BDF", "Radau"})
+    CHECK(answer(name) == "solver: {name: radau, relative: 1e-6}'");
+  CHECK(answer("lsoda") == "solver: {name: auto, relative: 1e-6}'");
+  CHECK(answer("ode1") == "solver: euler'");
+  CHECK(answer("ode3") == "solver: bogacki_shampine'");
+  CHECK(answer("ode4") == "solver: rk4'");
+}
+
 }  // namespace stepwire::solve

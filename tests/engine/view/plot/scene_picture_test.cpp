@@ -67,7 +67,7 @@ TEST_CASE("a plot of a scene is refused where there is none, and for what it doe
   CHECK_THAT(figures_over(scene, "{plot: scene, at: -1 s}").faults,
              Contains("figure.at: -1 s is not within the run"));
   CHECK_THAT(figures_over(scene, "{plot: scene, words: [a, b]}").faults,
-             Contains("there are 2 texts for 1 instants"));
+             Contains("there are 2 texts for 1 instant"));
   CHECK_THAT(figures_over(scene, "{plot: scene, att: 1 s}").faults, Contains("did you mean 'at'?"));
   CHECK_THAT(figures_over(scene, "{plot: scene, where: slow > 1 N}").faults,
              Contains("recorded at different periods"));

@@ -60,7 +60,7 @@ TEST_CASE("a band lies below, a reference is dashed, and a shaded range keeps it
 TEST_CASE("few values of `by` stand in the legend, many have a colour bar") {
   const std::string text = "{plot: lines, x: time, y: push.force, by: current in mA}";
   const PlotSpec few = spec_of(text, {0.1, 0.2}, 4);
-  CHECK(mark<LineMark>(few, 1).legend == "200 mA");
+  CHECK(mark<LineMark>(few, 1).legend == "current = 200 mA");
   CHECK_FALSE(few.color);
   const PlotSpec many = spec_of(text, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}, 4);
   CHECK(many.legend == PlotSpec::Legend::none);

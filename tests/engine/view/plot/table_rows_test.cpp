@@ -50,7 +50,7 @@ TEST_CASE("a table of expressions has their values with their units, in the row 
 TEST_CASE("a table of expressions without headings, without rows, or with a short row is refused") {
   CHECK(fault_of("{rows: {a: 1}}").find("'headings' is missing") != std::string::npos);
   CHECK(fault_of("{headings: [a, b]}").find("'rows' is missing") != std::string::npos);
-  CHECK(fault_of("{headings: [a, b, c], rows: {a: 1}}").find("1 values, but there are 2 headings") !=
+  CHECK(fault_of("{headings: [a, b, c], rows: {a: 1}}").find("1 value, but there are 2 headings") !=
         std::string::npos);
 }
 

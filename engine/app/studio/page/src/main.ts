@@ -41,7 +41,7 @@ new RunBar(bar.run, context);
 const addDigit = ({id, title}: Pane, i: number) => context.shortcuts.add({key: String(i + 1), text: title.toLowerCase(), group: "Panes", action: () => layout.show(id, true)});
 panes.forEach((pane, i) => { if (!pane.isKept) addDigit(pane, i); });
 context.shortcuts.add({key: "F6", text: "next pane", group: "Panes", action: () => layout.cycle(1)});
-context.shortcuts.add({key: "Shift+F6", text: "pane before", group: "Panes", action: () => layout.cycle(-1)});
+context.shortcuts.add({key: "Shift+F6", text: "previous pane", group: "Panes", action: () => layout.cycle(-1)});
 settings.on((key) => { if (key === "theme") context.theme.choose(settings.get<Choice>("theme", "system")); });
 
 /** Loads the diagram for a run. A diagram with faults is loaded when its run is started. */

@@ -137,7 +137,7 @@ TEST_CASE("a value that is refused changes nothing and is not logged") {
   RunThread run(model.plan, model.signals, {});
   CHECK_THROWS_WITH(run.set("mass", "-1 kg"), Catch::Contains("mass"));
   CHECK_THROWS_WITH(run.set("mas", "1 kg"), Catch::Contains("mass"));
-  CHECK_THROWS_WITH(run.input({1, 0.0, "push", {1.0, 2.0}}), Catch::Contains("takes 1 numbers, not 2"));
+  CHECK_THROWS_WITH(run.input({1, 0.0, "push", {1.0, 2.0}}), Catch::Contains("takes 1 number, not 2"));
   CHECK_THROWS_WITH(run.input({1, 0.0, "pull", {1.0}}), Catch::Contains("push"));
   CHECK(run.log().events().empty());
 }

@@ -74,7 +74,7 @@ export class SocketConnection implements Connection {
   }
 
   call<T>(name: string, args: object = {}): Promise<T> {
-    if (this.state !== "open") return Promise.reject(new Fault("there is no connection to the studio", "it is tried again by itself"));
+    if (this.state !== "open") return Promise.reject(new Fault("no connection to the studio", "reconnecting"));
     return this.request<T>(name, args);
   }
 
@@ -121,7 +121,7 @@ export class SocketConnection implements Connection {
   }
 
   private lost(): void {
-    const fault = new Fault("the connection to the studio was lost", "it is tried again by itself");
+    const fault = new Fault("connection to the studio lost", "reconnecting");
     for (const {reject} of this.pending.values()) reject(fault);
     this.pending.clear();
     this.arrived.clear();

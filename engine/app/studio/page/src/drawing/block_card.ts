@@ -27,7 +27,7 @@ export class BlockCard {
     const types = await blockTypes(this.context.connection).catch(() => [] as BlockType[]), type = types.find(({name}) => name === shape.type);
     this.close();
     const inputs = new Set([...(type?.inputs.map(({name}) => name) ?? []), ...shape.inputs.map(({port}) => port.split(".")[0])]), isOwn = (key: string) => key !== "block" && key !== "diagram" && !inputs.has(key);
-    const rows = [this.row("name", place.name, "the name, with every use of it", (text) => this.rename(place, text))];
+    const rows = [this.row("name", place.name, "name; every use is renamed", (text) => this.rename(place, text))];
     const given = fields.filter(({key}) => isOwn(key)), rest = (type?.parameters ?? []).filter(({name}) => !fields.some(({key}) => key === name));
     for (const field of given) rows.push(this.field(field, place, type));
     for (const {name, default: other} of rest) rows.push(this.field({key: name, text: "", isScalar: true, from: 0, to: 0}, place, type, valueText(other)));

@@ -57,7 +57,7 @@ export class Connecting {
     const source = this.sourceOf(shape, port.port);
     if (!source) return;
     const targets = await this.fitting(source), box = this.canvas.getBoundingClientRect();
-    if (targets.length === 0) return this.context.notify(`no input here takes ${source.name}: its unit fits nowhere`);
+    if (targets.length === 0) return this.context.notify(`no input accepts ${source.name}: no unit fits`);
     openMenu({x: box.left + 20, y: box.top + 20}, targets.map((target): [string, () => void] => [`${source.name} → ${this.labelOf(target)}`, () => void this.connect(source, target)]), "Connect to");
   }
 
@@ -160,7 +160,7 @@ export class Connecting {
     const placed = [...this.shapes.placed.values()].find(inside);
     if (!placed || placed.shape === source.shape && x > placed.shape.x + placed.shape.width / 2) return;
     const why = this.reasonAgainst(source, placed), [first] = placed.shape.inputs.map(({port}) => this.targetAt(placed, port)).sort((a, b) => Math.hypot(a.x - x, a.y - y) - Math.hypot(b.x - x, b.y - y));
-    if (why || !first) return this.refusal.show(event, why || `${placed.shape.name || placed.shape.type} takes no signal: it has no input`);
+    if (why || !first) return this.refusal.show(event, why || `${placed.shape.name || placed.shape.type} has no input`);
     const port = this.openPort(placed, first.port);
     void this.connect(source, {...first, port}, event);
   }
@@ -172,9 +172,9 @@ export class Connecting {
 
   /** Returns the reason why no input of a shape can accept the signal, as far as the drawing alone shows it; otherwise "". */
   private reasonAgainst(source: Source, {shape}: Placed): string {
-    if (shape.within.join() !== source.shape.within.join()) return `${shape.name} lies in another file than ${source.name}; open the part, and connect its input there`;
-    if (shape.own === "input") return `${shape.name || "this"} is an input of the file: it gives a signal and takes none`;
-    return shape.id.startsWith(":constant:") ? "this is a number of the text: it takes no signal; drop the wire on the block behind it" : "";
+    if (shape.within.join() !== source.shape.within.join()) return `${shape.name} is in another file than ${source.name}; open the part and connect its input there`;
+    if (shape.own === "input") return `${shape.name || "this"} is an input of the file; it has an output only`;
+    return shape.id.startsWith(":constant:") ? "this is a constant of the text and takes no signal; drop the wire on the block that reads it" : "";
   }
 
   private stop(): void {
@@ -194,7 +194,7 @@ export class Connecting {
     try {
       await this.context.workbench.splice(source.file, {kind: "connect", from: source.name, to, input: target.port});
       const said = `${source.name} is connected to ${this.labelOf(target)}`;
-      if (before && before !== source.name) this.context.notify(`${said} in the place of ${before}: an input has one source; undo (Ctrl+Z) brings it back`);
+      if (before && before !== source.name) this.context.notify(`${said} instead of ${before}: an input has one source; Ctrl+Z restores it`);
       else this.context.announce(said);
     } catch (thrown) {
       const why = Fault.from(thrown).message;

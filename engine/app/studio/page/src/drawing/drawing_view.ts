@@ -48,7 +48,7 @@ export class DrawingView implements View {
     const tool = (text: string, title: string, action: () => void) => h("button", {type: "button", class: "plain", title, "aria-label": title, onclick: action}, text);
     const head = h("div", {class: "drawing-head"}, this.crumbs.element,
       tool("+ Block", "Insert a block (I)", () => void this.edits.insert()),
-      tool("−", "Smaller (-)", () => this.viewport.zoom(0.8)), tool("+", "Larger (+)", () => this.viewport.zoom(1.25)), tool("Fit", "Whole drawing (0)", () => this.viewport.fit()));
+      tool("−", "Zoom out (-)", () => this.viewport.zoom(0.8)), tool("+", "Zoom in (+)", () => this.viewport.zoom(1.25)), tool("Fit", "Fit the drawing (0)", () => this.viewport.fit()));
     this.canvas.append(this.shapes.root);
     host.append(h("div", {class: "drawing"}, head, this.canvas, this.busy, this.fault));
     this.viewport = new Viewport(this.canvas, this.shapes.root);
@@ -173,11 +173,11 @@ export class DrawingView implements View {
   /** Returns the menu entries for the selection. */
   private entries(): [string, () => void][] {
     const {current, wire} = this.selection, insert: [string, () => void] = ["Insert a block …", () => void this.edits.insert()];
-    if (wire) return [["Bode plot of the loop, cut here", () => this.edits.bode(this.canvas)], ["Delete the wire", () => void this.edits.remove()], insert];
-    if (!current || current.shape.id.startsWith(":")) return [insert, ["Whole drawing", () => this.viewport.fit()]];
-    const inside: [string, () => void][] = [["Open", () => this.activate(current)], [current.shape.isFrame ? "Close in place" : "Open in place", () => this.toggle(current)]];
-    return [...(current.shape.isPart ? inside : []), ["Change …", () => this.edits.edit(current)], ["Rename …", () => this.edits.edit(current, "name")],
-      ["Connect to …", () => void this.connecting.byKeys(current)], ["Bode plot of the loop, cut behind it", () => this.edits.bode(this.canvas)], ["Delete", () => void this.edits.remove()], insert];
+    if (wire) return [["Bode plot of the loop, opened here", () => this.edits.bode(this.canvas)], ["Delete the wire", () => void this.edits.remove()], insert];
+    if (!current || current.shape.id.startsWith(":")) return [insert, ["Fit the drawing", () => this.viewport.fit()]];
+    const inside: [string, () => void][] = [["Open", () => this.activate(current)], [current.shape.isFrame ? "Collapse" : "Expand here", () => this.toggle(current)]];
+    return [...(current.shape.isPart ? inside : []), ["Edit …", () => this.edits.edit(current)], ["Rename …", () => this.edits.edit(current, "name")],
+      ["Connect to …", () => void this.connecting.byKeys(current)], ["Bode plot of the loop, opened at its output", () => this.edits.bode(this.canvas)], ["Delete", () => void this.edits.remove()], insert];
   }
 
   private press(event: KeyboardEvent): void {
@@ -204,7 +204,7 @@ export class DrawingView implements View {
 
 /** Rows for the list of keys; they apply while the drawing has the focus. */
 const keyList: [string, string][] = [
-  ["Left", "the next shape in that direction, of all four arrows"], ["Enter", "open a part, change a block"], ["O", "open a part in its place"], ["Backspace", "back out of a part"],
-  ["F2", "rename a block with every use"], ["C", "connect its output"], ["W", "next wire of a block"], ["B", "Bode plot of the loop, cut at the wire or behind the block"], ["Delete", "delete a block or wire"], ["I", "insert a block"],
-  ["+", "larger"], ["-", "smaller"], ["0", "the whole drawing"], ["Shift+Left", "move the drawing, with all four arrows"],
+  ["Left", "select the next block in that direction (all arrows)"], ["Enter", "open a part, edit a block"], ["O", "expand a part"], ["Backspace", "leave a part"],
+  ["F2", "rename a block everywhere"], ["C", "connect its output"], ["W", "next wire of a block"], ["B", "Bode plot of the loop, opened at the wire or at the block's output"], ["Delete", "delete a block or wire"], ["I", "insert a block"],
+  ["+", "larger"], ["-", "smaller"], ["0", "fit the drawing"], ["Shift+Left", "pan the drawing (all arrows)"],
 ];

@@ -35,7 +35,7 @@ class Gallery {
   open(): void {
     listen(this.query, "input", () => this.search());
     for (const field of [this.query, this.name]) listen(field, "keydown", (event: KeyboardEvent) => this.press(event));
-    const copy = h("label", {class: "gallery-name"}, "Copy it as ", this.name);
+    const copy = h("label", {class: "gallery-name"}, "Copy to ", this.name);
     this.dialog = openDialog("Start from an example", [this.query, this.list, copy, this.fault],
       (close) => [h("button", {type: "button", onclick: close}, "Cancel"), h("button", {type: "button", class: "main", onclick: () => void this.start()}, "Copy and open")]);
     this.query.focus();
@@ -50,7 +50,7 @@ class Gallery {
       const title = titles[group] ?? group, options = this.shown.flatMap((entry, i) => (entry.group === group ? [this.option(entry, i)] : []));
       return h("div", {role: "group", "aria-label": title}, h("div", {class: "gallery-group", "aria-hidden": true}, title), ...options);
     });
-    this.list.replaceChildren(...parts, ...(this.shown.length === 0 ? [h("p", {class: "empty"}, "Nothing has these words.")] : []));
+    this.list.replaceChildren(...parts, ...(this.shown.length === 0 ? [h("p", {class: "empty"}, "Nothing matches.")] : []));
     this.choose(0);
   }
 

@@ -53,7 +53,7 @@ class Palette {
       parts.push(h("div", {class: "palette-entry", role: "option", id: `palette-${i}`, onclick: () => this.choose(i), ondblclick: () => void this.insert()},
         h("span", {class: "palette-name"}, type.name), " ", h("span", {class: "palette-doc"}, type.doc.split(/(?<=[.:;])\s/)[0])));
     });
-    this.list.replaceChildren(...parts, ...(this.shown.length === 0 ? [h("p", {class: "empty"}, "No block has these words.")] : []));
+    this.list.replaceChildren(...parts, ...(this.shown.length === 0 ? [h("p", {class: "empty"}, "No block matches.")] : []));
     this.choose(0);
   }
 
@@ -80,7 +80,7 @@ class Palette {
   private sources(type: BlockType): HTMLElement[] {
     const {signals, preferred} = this.target, required = type.inputs.filter(({optional}) => !optional);
     return required.map(({name, unit}, i) => {
-      const select = h("select", {"data-input": name, "aria-label": `what feeds ${name}`}, h("option", {value: ""}, "nothing yet"), ...signals.map((signal) => h("option", {value: signal}, signal)));
+      const select = h("select", {"data-input": name, "aria-label": `source of ${name}`}, h("option", {value: ""}, "not connected"), ...signals.map((signal) => h("option", {value: signal}, signal)));
       select.value = i === 0 ? preferred : "";
       return h("label", {}, `${name}${unit ? ` [${unit}]` : ""} ← `, select);
     });

@@ -15,10 +15,10 @@ const seconds = (time: number, step: number) => time.toFixed(Math.min(6, Math.ma
 /** Bar with play, pause, single tick, restart, rate, time of the run, and timing. */
 export class RunBar implements View {
   private readonly play = h("button", {type: "button", class: "main play"});
-  private readonly tick = h("button", {type: "button", title: "One tick (.)", "aria-label": "One tick"}, icon("tick"));
-  private readonly restart = h("button", {type: "button", title: "From the start (R)", "aria-label": "From the start"}, icon("restart"));
+  private readonly tick = h("button", {type: "button", title: "Step by one tick (.)", "aria-label": "One tick"}, icon("tick"));
+  private readonly restart = h("button", {type: "button", title: "Restart (R)", "aria-label": "Restart"}, icon("restart"));
   private readonly kept = h("button", {type: "button", title: "Keep this run (K)"}, icon("keep"));
-  private readonly rate = h("select", {"aria-label": "Pace: seconds of the run in a second", title: "Pace ([ slower, ] faster)"});
+  private readonly rate = h("select", {"aria-label": "Speed: simulated seconds per second", title: "Speed ([ slower, ] faster)"});
   private readonly time = h("span", {class: "run-time"});
   private readonly facts = h("span", {class: "run-facts"});
   private readonly fault = h("span", {class: "run-fault", role: "alert", hidden: true});
@@ -60,7 +60,7 @@ export class RunBar implements View {
     return [
       shortcuts.add({key: "Space", text: "play, pause", group, action: () => void run.toggle()}),
       shortcuts.add({key: ".", text: "one tick", group, action: () => void run.tick()}),
-      shortcuts.add({key: "R", text: "from the start", group, action: () => void run.restart()}),
+      shortcuts.add({key: "R", text: "restart", group, action: () => void run.restart()}),
       shortcuts.add({key: "K", text: "keep this run in a folder", group, action: () => void this.keep()}),
       shortcuts.add({key: "[", text: "slower", group, action: pace(-1)}),
       shortcuts.add({key: "]", text: "faster", group, action: pace(1)}),
@@ -106,9 +106,9 @@ export class RunBar implements View {
   }
 
   private showFacts(measured: string, missed: number, latency: number | undefined): void {
-    const facts = [["pace", measured, "Seconds of the run in one second of the clock, measured"],
+    const facts = [["pace", measured, "Simulated seconds per second, measured"],
       ...(this.context.run.loaded?.loop ? [["missed", String(missed), "Deadlines missed"]] : []),
-      ["input", latency === undefined ? "–" : `${latency.toFixed(0)} ms`, "From an input to the first picture that shows it, median"]];
+      ["input", latency === undefined ? "–" : `${latency.toFixed(0)} ms`, "Median time from an input to the first frame that shows it"]];
     if (this.facts.childElementCount !== facts.length)
       this.facts.replaceChildren(...facts.map(([name, , title]) => h("span", {class: "fact", title}, `${name} `, h("b", {}))));
     facts.forEach(([, value], i) => {

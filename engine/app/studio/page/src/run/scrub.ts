@@ -7,7 +7,7 @@ const keyShare = 0.01;
 
 /** Slider of the time of the run. Dragging it back returns the run to a checkpoint, from which it can continue. */
 export class Scrub {
-  readonly element = h("input", {type: "range", class: "scrub", min: 0, max: parts, step: 1, value: 0, "aria-label": "Time of the run", title: "Drag to go back; play goes on from there"});
+  readonly element = h("input", {type: "range", class: "scrub", min: 0, max: parts, step: 1, value: 0, "aria-label": "Time of the run", title: "Drag to go back; Play continues from there"});
   private isHeld = false;
   private due: number | undefined;
   private isBusy = false;

@@ -2,7 +2,7 @@ import {h, listen} from "../shell/dom";
 import type {Loaded, Verdict} from "./run_types";
 
 const marks: Record<Verdict["verdict"], string> = {ok: "✓", FAIL: "✗", known: "≠", open: "·"};
-const words: Record<Verdict["verdict"], string> = {ok: "holds", FAIL: "fails", known: "is known not to hold", open: "is not judged yet"};
+const words: Record<Verdict["verdict"], string> = {ok: "holds", FAIL: "fails", known: "is expected to fail", open: "is not judged yet"};
 
 /** Verdicts of the file's claims: a button with their counts, above the list. */
 export class Verdicts {

@@ -52,7 +52,7 @@ export class MechanismStage {
     domElement.tabIndex = 0;
     domElement.dataset.focus = domElement.dataset.ownKeys = "";
     domElement.setAttribute("role", "application");
-    domElement.setAttribute("aria-label", `Mechanism ${mechanism.title}; arrows turn it, + and - change its size, Home turns it back`);
+    domElement.setAttribute("aria-label", `Mechanism ${mechanism.title}; arrows turn it, + and - change its size, Home resets the view`);
     this.axes = new AxisTriad((mechanism.axes ?? ["x", "y", "z"]).slice(0, mechanism.dimensions));
     this.host.append(domElement, this.labels.element, this.axes.element);
     this.camera.up.copy(this.up);

@@ -11,7 +11,7 @@ import "./mechanism.css";
 export class MechanismView implements View {
   private readonly stageHost = h("div", {class: "mechanism-stage"});
   private readonly choice = h("select", {"aria-label": "Mechanism", hidden: true});
-  private readonly facts = h("dl", {class: "mechanism-facts", "aria-label": "Lengths and places"});
+  private readonly facts = h("dl", {class: "mechanism-facts", "aria-label": "Lengths and positions"});
   private readonly empty = h("p", {class: "empty"});
   private readonly body = h("div", {class: "mechanism"}, this.choice, this.stageHost, this.facts);
   private readonly ends: (() => void)[];
@@ -30,7 +30,7 @@ export class MechanismView implements View {
     this.ends = [
       run.on("loaded", () => void this.open()), theme.on(() => this.stage?.recolor(this.colors())),
       listen(this.choice, "change", () => void this.choose(Number(this.choice.value))),
-      shortcuts.add({key: "D", text: "say lengths and places of the mechanism", group: "3-D", within: () => this.body.contains(document.activeElement), action: () => this.tell()}),
+      shortcuts.add({key: "D", text: "describe lengths and positions of the mechanism", group: "3-D", within: () => this.body.contains(document.activeElement), action: () => this.tell()}),
     ];
     void this.open();
   }
@@ -86,7 +86,7 @@ export class MechanismView implements View {
     try {
       this.stage = new MechanismStage(this.stageHost, mechanism, this.colors());
     } catch {
-      this.stageHost.replaceChildren(h("p", {class: "empty"}, "This browser has no WebGL, so the mechanism is not drawn. Its lengths and places stand below."));
+      this.stageHost.replaceChildren(h("p", {class: "empty"}, "This browser has no WebGL, so the mechanism is not drawn. Its lengths and positions are listed below."));
     }
     this.update();
   }

@@ -12,8 +12,8 @@ import "./scene.css";
 
 /** Returns the text below a scene: the general hint, and the text of the diagram. */
 function wordsOf({pointer}: SceneInfo): string {
-  if (pointer?.hand === false) return "The file's own hand moves: the scene shows only.";
-  if (!pointer) return "The hand of this diagram is its own: the scene shows only.";
+  if (pointer?.hand === false) return "The hand of the file moves it; you only watch.";
+  if (!pointer) return "This diagram moves its own hand; you only watch.";
   const {text} = pointer, seen = /seen.*not felt/i.test(text) ? "" : "The resistance is seen, not felt.";
   return ["Press and move over the scene, or use arrow keys or a gamepad.", text, seen].filter(Boolean).join(" ");
 }
@@ -23,10 +23,10 @@ export class SceneView implements View {
   private readonly stage = h("div", {class: "scene-stage"});
   private readonly words = h("p", {class: "scene-words"});
   private readonly state = h("span", {class: "scene-state", role: "status"});
-  private readonly lag = h("span", {class: "scene-lag", title: "From a movement of the pointer to the first picture that shows what it did, median"});
-  private readonly stay = h("button", {type: "button", "aria-pressed": "false", title: "The hand follows the pointer without a pressed button; a click or Esc lets go"}, "Hold without a button");
-  private readonly own = h("button", {type: "button", "aria-pressed": "false", title: "Begins anew with the hand that the file has, and shows what it does; again: your hand"}, "File's own hand");
-  private readonly tell = h("button", {type: "button", title: "Say what the scene shows (D)"}, "Describe");
+  private readonly lag = h("span", {class: "scene-lag", title: "Median time from a pointer movement to the first frame that shows its effect"});
+  private readonly stay = h("button", {type: "button", "aria-pressed": "false", title: "The hand follows the pointer without a pressed button; a click or Esc releases it"}, "Hold without a button");
+  private readonly own = h("button", {type: "button", "aria-pressed": "false", title: "Restarts with the hand of the file; again: your hand"}, "Hand of the file");
+  private readonly tell = h("button", {type: "button", title: "Describe the scene (D)"}, "Describe");
   private readonly whole = h("button", {type: "button", title: "The scene takes the whole screen; Esc ends it"}, "Full screen");
   private readonly empty = h("p", {class: "empty"});
   private readonly foot = h("div", {class: "scene-foot"}, this.words, this.state, this.lag, this.stay, this.own, this.whole, this.tell);
@@ -55,8 +55,8 @@ export class SceneView implements View {
       listen(window, "blur", () => this.letGo()), listen(document, "visibilitychange", () => { if (document.hidden) this.letGo(); }),
       listen(this.stay, "click", () => this.toggleStay()), listen(this.tell, "click", () => this.describe()), listen(this.own, "click", () => void this.change()),
       listen(this.whole, "click", () => void this.fill()),
-      shortcuts.add({key: "D", text: "say what the scene shows", group: "Scene", within: () => this.stage.contains(document.activeElement), action: () => this.describe()}),
-      shortcuts.add({key: "Left", text: "move the hand over the scene (all arrows; Shift: slowly; Esc lets go)", group: "Scene", within: () => false, action: () => {}}),
+      shortcuts.add({key: "D", text: "describe the scene", group: "Scene", within: () => this.stage.contains(document.activeElement), action: () => this.describe()}),
+      shortcuts.add({key: "Left", text: "move the hand over the scene (all arrows; Shift: slowly; Esc releases it)", group: "Scene", within: () => false, action: () => {}}),
     ];
     void this.open();
   }
@@ -117,7 +117,7 @@ export class SceneView implements View {
     this.own.hidden = !info.pointer;
     this.own.setAttribute("aria-pressed", String(info.pointer?.hand === false));
     canvas.element.classList.toggle("scene-playable", isPlayable);
-    canvas.element.setAttribute("aria-label", `Scene${info.title ? ` of ${info.title}` : ""}${isPlayable ? "; arrows move the hand, Esc lets go" : ""}; D says what it shows`);
+    canvas.element.setAttribute("aria-label", `Scene${info.title ? ` of ${info.title}` : ""}${isPlayable ? "; arrows move the hand, Esc releases it" : ""}; D describes it`);
     if (isPlayable) this.attach(canvas, info);
     this.watch();
     this.showState();
@@ -199,8 +199,8 @@ export class SceneView implements View {
   }
 
   private showState(): void {
-    const {news} = this.context.run, parts = [news.state === "playing" ? "" : news.state === "ended" ? "The run has ended; restart it to go on." : "The run is paused."];
-    if (this.hand) parts.push(this.hand.held ? "You hold." : "Nobody holds.");
+    const {news} = this.context.run, parts = [news.state === "playing" ? "" : news.state === "ended" ? "The run has ended; restart it to continue." : "The run is paused."];
+    if (this.hand) parts.push(this.hand.held ? "You hold the hand." : "The hand is free.");
     const lag = this.latency.median, text = parts.filter(Boolean).join(" ");
     if (this.state.textContent !== text) this.state.textContent = text;
     this.lag.textContent = lag === undefined ? "" : `lag ${Math.round(1000 * lag)} ms`;

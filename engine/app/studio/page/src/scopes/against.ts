@@ -64,6 +64,6 @@ export class Against implements Content {
   }
 
   note(): string {
-    return this.subject.traces.length < 2 ? "against what? add a second signal" : "";
+    return this.subject.traces.length < 2 ? "add a second signal for the other axis" : "";
   }
 }

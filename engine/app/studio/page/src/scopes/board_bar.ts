@@ -12,7 +12,7 @@ export class BoardBar {
   readonly element = h("div", {class: "scope-bar", role: "toolbar", "aria-label": "Scopes"});
   private readonly state = h("span", {class: "chip", role: "status"});
   private readonly follow = h("button", {type: "button", class: "plain small", title: "Follow the newest (F)"}, "Follow");
-  private readonly width = h("select", {class: "small", "aria-label": "How much time is seen", title: "How much time is seen"});
+  private readonly width = h("select", {class: "small", "aria-label": "Time span shown", title: "Time span shown"});
   private readonly signals = h("button", {type: "button", class: "plain small", "aria-pressed": "false", title: "Signals of the run (A)"}, "Signals");
   private readonly pins = h("ul", {class: "pins", "aria-label": "Kept runs"});
 
@@ -27,8 +27,8 @@ export class BoardBar {
     listen(this.width, "change", () => board.follow(Number(this.width.value)));
     listen(this.signals, "click", () => this.showSignals(board.signals.element.hidden));
     listen(more, "click", () => openMenu(more, [
-      ["Copy the address of this view", () => board.copyAddress()], ["The scopes of the file again", () => board.reset()],
-      ...(board.shared.fan ? [["Take the fan away", () => board.shared.context.run.clearFan()] as [string, () => void]] : []),
+      ["Copy the address of this view", () => board.copyAddress()], ["Reset to the scopes of the file", () => board.reset()],
+      ...(board.shared.fan ? [["Remove the sweep", () => board.shared.context.run.clearFan()] as [string, () => void]] : []),
     ], "Scopes"));
     board.signals.element.hidden = true;
   }
@@ -52,7 +52,7 @@ export class BoardBar {
     const {pins} = this.board.shared;
     this.lastPin = pins.all.at(-1);
     this.pins.replaceChildren(...pins.all.map((pin) => h("li", {class: "chip", title: pin.label}, h("span", {class: "pin-label"}, pin.label),
-      h("button", {type: "button", class: "plain small", "aria-label": `Drop ${pin.label}`, onclick: () => pins.drop(pin)}, "×"))));
+      h("button", {type: "button", class: "plain small", "aria-label": `Remove ${pin.label}`, onclick: () => pins.drop(pin)}, "×"))));
   }
 
   /** Returns the state: following, looking back, or paused. In the first two, data may still arrive. */

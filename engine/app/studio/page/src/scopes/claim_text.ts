@@ -5,7 +5,7 @@ import {flowMapping, yamlScalar} from "./yaml_text";
 
 /** Reductions that claims support. */
 const claimed: Partial<Record<Reduction, {key: string; words: string}>> = {
-  min: {key: "min", words: "the least"}, max: {key: "max", words: "the greatest"}, mean: {key: "mean", words: "the mean of"}, rms: {key: "rms", words: "the rms of"},
+  min: {key: "min", words: "the minimum of"}, max: {key: "max", words: "the maximum of"}, mean: {key: "mean", words: "the mean of"}, rms: {key: "rms", words: "the rms of"},
 };
 
 export const mayClaim = (reduction: Reduction): boolean => reduction in claimed || reduction === "a" || reduction === "b";

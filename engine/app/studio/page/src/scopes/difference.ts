@@ -77,7 +77,7 @@ export function readTolerance(text: string, unit: DisplayUnit, span: number): nu
 
 /** Returns "largest difference 0.31 mm at 1.234 s; beyond 0.1 mm in 12 % of the time, first at 1.2 s". */
 export function differenceText({worst, at, share, first}: Difference, tolerance: number, unit: DisplayUnit): string {
-  if (Number.isNaN(at)) return "no time that both runs have";
+  if (Number.isNaN(at)) return "the runs have no time in common";
   const largest = `largest difference ${quantityText(worst * unit.scale, unit.text)} at ${quantityText(at, "s")}`;
   const bound = quantityText(tolerance * unit.scale, unit.text);
   if (first === undefined) return `${largest}; within ${bound}`;

@@ -40,7 +40,7 @@ export class Legend {
   }
 
   private entry(trace: Trace): HTMLElement {
-    const label = `Take ${trace.label} out`;
+    const label = `Remove ${trace.label}`;
     return h("li", {class: "trace", title: trace.source}, swatch(trace.style), h("span", {class: "trace-name"}, trace.label), this.values.get(trace),
       h("button", {type: "button", class: "plain small", "aria-label": label, title: label, onclick: () => this.remove(trace)}, "×"));
   }

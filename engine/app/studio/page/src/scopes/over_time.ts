@@ -48,7 +48,7 @@ export class OverTime implements Content {
     const {fan} = this.subject.shared;
     if (!fan) return "";
     const shown = (value = NaN) => shownOf(value, fan.unit), from = numberText(shown(fan.points[0]?.value)), to = quantityText(shown(fan.points.at(-1)?.value), fan.unit.text);
-    return `behind: ${fan.points.length} runs with ${fan.name} from ${from} to ${to}`;
+    return `background: ${fan.points.length} runs with ${fan.name} from ${from} to ${to}`;
   }
 
   private paintBehind(plot: Plot, plane: Plane, trace: Trace): void {

@@ -46,5 +46,5 @@ export function historyOf(parameters: Parameter[], events: LogEvent[], step: num
   });
   const unset = parameters.filter(({name, block}) => !block && !set.has(name)).slice(0, Math.max(0, others - lines.length));
   const inputs = [...new Set(events.filter(({values}) => values).map(({name}) => name))];
-  return [...lines, ...unset.map(({name, text}) => `${name} ${text}`), ...(inputs.length > 0 ? [`with a hand on ${inputs.join(", ")}`] : [])];
+  return [...lines, ...unset.map(({name, text}) => `${name} ${text}`), ...(inputs.length > 0 ? [`moved by hand: ${inputs.join(", ")}`] : [])];
 }

@@ -71,7 +71,7 @@ export class Scope implements Subject {
     this.plot = new Plot(this.area, shared.look, (plot) => this.content.paint(plot, this.window.at(shared.now)), (over) => this.overlay(over));
     this.title.textContent = name;
     this.tolerance.hidden = true;
-    const more = h("button", {type: "button", class: "plain small", "aria-label": "What may be done with this scope", title: "More", "aria-haspopup": "menu"}, "⋯");
+    const more = h("button", {type: "button", class: "plain small", "aria-label": "Menu of this scope", title: "More", "aria-haspopup": "menu"}, "⋯");
     listen(more, "click", () => openMenu(more, entriesOf(this), `Scope ${name}`));
     this.head.append(this.title, this.legend.element, this.tolerance, this.chip, more);
     this.element.append(this.head, this.area, this.note);
@@ -99,7 +99,7 @@ export class Scope implements Subject {
   add(trace: Trace): boolean {
     const style = freeNumber(this.traces.map((one) => one.style));
     if (style === undefined) {
-      this.shared.context.notify(`a scope has at most ${mostTraces} signals; take one out or use another scope`);
+      this.shared.context.notify(`a scope has at most ${mostTraces} signals; remove one or use another scope`);
       return false;
     }
     const beside = this.traces.find(({si, unit}) => unit && si === trace.si);
@@ -244,7 +244,7 @@ export class Scope implements Subject {
   private gaps(): string {
     return this.traces.flatMap(({label, column}) => {
       const from = gapOf(this.feed.samples.get(column));
-      return from === undefined ? [] : [`${label} is stored from ${fixedText(from, 3)} s on; before that it is computed again, or is not there`];
+      return from === undefined ? [] : [`${label} is stored from ${fixedText(from, 3)} s on; earlier values are computed again or missing`];
     }).join("; ");
   }
 

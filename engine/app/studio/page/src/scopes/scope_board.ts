@@ -112,7 +112,7 @@ export class ScopeBoard implements View, ScopeHost {
       (scope ?? this.open(trace.label)).add(trace);
       this.context.announce(`${trace.label} is in ${scope ? scope.name : "a new scope"}`);
       const {news, loaded} = this.context.run, isLate = loaded?.loop !== undefined && news.time > 0 && !loaded.columns.some(({column, recorded}) => column === trace.column && recorded);
-      if (isLate) this.context.notify(`${trace.label} is stored from now on: a real-time loop cannot be run again for what was before; record it in the file`);
+      if (isLate) this.context.notify(`${trace.label} is stored from now on; a real-time loop cannot be run again for earlier values. Record it in the file`);
       this.keep();
       this.moved();
       return undefined;
@@ -139,11 +139,11 @@ export class ScopeBoard implements View, ScopeHost {
   /** Pins this run for comparison with later ones. */
   async pin(): Promise<void> {
     const {news, loaded} = this.context.run;
-    if (news.time === 0 || !loaded) return this.context.notify("there is nothing to keep before the run has begun");
+    if (news.time === 0 || !loaded) return this.context.notify("the run has not started: there is nothing to pin");
     const {events} = await this.context.connection.call<{events: LogEvent[]}>("run.log").catch(() => ({events: []}));
     const history = historyOf(loaded.parameters, events.filter(({tick}) => tick * loaded.step <= news.time), loaded.step);
     const pin = await this.shared.pins.take(this.scopes.flatMap(({traces}) => traces), news.time, history.join("; "));
-    this.context.announce(`kept ${pin.label}`);
+    this.context.announce(`pinned ${pin.label}`);
   }
 
   /** Restores the scopes of the file. */
@@ -226,7 +226,7 @@ export class ScopeBoard implements View, ScopeHost {
       shortcuts.add({...only, key: "N", text: "new scope", within, action: () => { this.open().element.focus(); this.keep(); }}),
       shortcuts.add({...only, key: "A", text: "add a signal", within, action: () => this.bar.showSignals(true)}),
       shortcuts.add({...only, key: "P", text: "pin this run to compare with", within, action: () => void this.pin()}),
-      shortcuts.add({...only, key: "Esc", text: "take the cursors away", within: () => this.isShown && this.shared.cursors.a !== undefined, action: () => this.shared.cursors.clear()}),
+      shortcuts.add({...only, key: "Esc", text: "remove the cursors", within: () => this.isShown && this.shared.cursors.a !== undefined, action: () => this.shared.cursors.clear()}),
     ];
   }
 }

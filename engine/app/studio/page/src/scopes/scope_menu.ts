@@ -9,20 +9,20 @@ type Entry = [string, () => void];
 
 /** Returns the menu entries of a scope. */
 export function entriesOf(scope: Scope): Entry[] {
-  return [...kinds(scope), ...times(scope), ...files(scope), ["Table of values", () => showTable(scope)], ["Take this scope out", () => scope.host.remove(scope)]];
+  return [...kinds(scope), ...times(scope), ...files(scope), ["Table of values", () => showTable(scope)], ["Remove this scope", () => scope.host.remove(scope)]];
 }
 
 function kinds(scope: Scope): Entry[] {
   const back: Entry[] = scope.isAgainst || scope.comparedTo ? [["Show over time", () => scope.fill("time")]] : [];
-  const against: Entry[] = scope.isAgainst ? [] : [["Show against the first signal (XY)", () => scope.fill("against")]];
+  const against: Entry[] = scope.isAgainst ? [] : [["Plot against the first signal (XY)", () => scope.fill("against")]];
   const pins = scope.shared.pins.all.filter((pin) => pin !== scope.comparedTo);
   return [...back, ...against, ...pins.map((pin): Entry => [`Show the difference to ${pin.label}`, () => scope.fill(pin)])];
 }
 
 function times(scope: Scope): Entry[] {
   const range = scope.groups.some((group) => group.range.isChosen);
-  const fit: Entry[] = range ? [["Fit the values again", () => { scope.groups.forEach((group) => group.range.fit()); scope.shared.redraw(); }]] : [];
-  const own: Entry = scope.own ? ["Same time as the other scopes", () => scope.shareTime()] : ["Time of its own", () => void scope.takeOwnTime()];
+  const fit: Entry[] = range ? [["Fit the values", () => { scope.groups.forEach((group) => group.range.fit()); scope.shared.redraw(); }]] : [];
+  const own: Entry = scope.own ? ["Same time as the other scopes", () => scope.shareTime()] : ["Independent time", () => void scope.takeOwnTime()];
   return [...fit, own];
 }
 
@@ -30,8 +30,8 @@ function files(scope: Scope): Entry[] {
   return [
     ["Save the range as CSV", () => void saveCsv(scope)],
     ["Save the picture as SVG", () => saveFile(`${scope.name || "scope"}.svg`, "image/svg+xml", scopeSvg(scope))],
-    ["Copy as figure:", () => void copyText(scope.shared.context, `figure: ${figureOf(scope)}\n`, "figure")],
-    ["Insert as figure: into the text", () => insertText(scope.element, scope.shared.context, "figure", figureOf(scope))],
+    ["Copy as a section figure", () => void copyText(scope.shared.context, `figure: ${figureOf(scope)}\n`, "figure")],
+    ["Add as a figure to the text", () => insertText(scope.element, scope.shared.context, "figure", figureOf(scope))],
   ];
 }
 

@@ -42,11 +42,11 @@ export class SignalList {
     const all = found(this.columns, this.search.value), more = all.length - most;
     this.fault.hidden = true;
     this.list.replaceChildren(...all.slice(0, most).map((column) => this.entry(column)), ...(more > 0 ? [h("li", {class: "more"}, `${more} more`)] : []),
-      ...(all.length === 0 ? [h("li", {class: "more"}, "no such name; Enter takes the text as an expression")] : []));
+      ...(all.length === 0 ? [h("li", {class: "more"}, "no such name; Enter adds the text as an expression")] : []));
   }
 
   private entry({name, unit, recorded}: Column): HTMLElement {
-    const text = recorded ? "" : "not in record";
+    const text = recorded ? "" : "not recorded";
     const entry = h("button", {type: "button", class: "plain signal", draggable: "true", title: "Drag into a scope; click adds it, Shift+click in a scope of its own"},
       h("span", {class: "signal-name"}, name), h("span", {class: "signal-unit"}, unit === "1" ? "" : unit), text && h("span", {class: "unseen"}, text));
     listen(entry, "click", (event: MouseEvent) => void this.take(name, event.shiftKey));

@@ -92,6 +92,6 @@ export class StatisticsTable {
     const text = reducedText(statistics, reduction, unit, b !== undefined && b < a);
     if (!mayClaim(reduction)) return text;
     const claim = () => insertText(this.element, this.shared.context, "claims", claimText({...trace, statistics, unit, a, b}, reduction)!);
-    return h("button", {type: "button", class: "plain small", title: "Make a line of claims of it", onclick: claim}, text);
+    return h("button", {type: "button", class: "plain small", title: "Add it as a claim", onclick: claim}, text);
   }
 }

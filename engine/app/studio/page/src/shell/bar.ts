@@ -14,7 +14,7 @@ export class Bar {
   readonly run = h("div", {class: "bar-run"});
   private readonly files = h("select", {"aria-label": "Diagram"});
   private readonly save = h("button", {type: "button", class: "plain", title: "Save (Ctrl+S)"}, "Save");
-  private readonly lost = h("span", {class: "connection", role: "status", hidden: true}, "no connection, trying again");
+  private readonly lost = h("span", {class: "connection", role: "status", hidden: true}, "no connection; reconnecting");
   private readonly more = h("button", {type: "button", class: "plain", "aria-label": "More", title: "More", "aria-haspopup": "menu"}, "☰");
   /** Further entries of the menu, beside the page's own ones. */
   readonly entries: [string, () => void][] = [];
@@ -31,7 +31,7 @@ export class Bar {
     context.workbench.on("root", () => this.list());
     context.workbench.on("changed", () => this.mark());
     context.connection.on("connection", ({state}) => this.showLost(state === "open"));
-    context.shortcuts.add({key: "?", text: "this list", action: () => showShortcuts(context.shortcuts)});
+    context.shortcuts.add({key: "?", text: "list of keys", action: () => showShortcuts(context.shortcuts)});
     this.mark();
   }
 
@@ -39,8 +39,8 @@ export class Bar {
   private showLost(isOpen: boolean): void {
     this.lost.hidden = isOpen;
     clearTimeout(this.timer);
-    this.lost.textContent = "no connection, trying again";
-    if (!isOpen) this.timer = window.setTimeout(() => { this.lost.textContent = "no connection, trying again; a studio that was started anew has another address"; }, longLost);
+    this.lost.textContent = "no connection; reconnecting";
+    if (!isOpen) this.timer = window.setTimeout(() => { this.lost.textContent = "no connection; reconnecting. A restarted studio has a new address"; }, longLost);
   }
   private timer: number | undefined;
 
@@ -55,7 +55,7 @@ export class Bar {
   private mark(): void {
     const changed = this.context.workbench.changedFiles;
     this.save.disabled = changed.length === 0;
-    this.save.title = changed.length === 0 ? "Everything is saved" : `Save ${changed.map(({name}) => name).join(", ")} (Ctrl+S)`;
+    this.save.title = changed.length === 0 ? "All changes are saved" : `Save ${changed.map(({name}) => name).join(", ")} (Ctrl+S)`;
     const name = this.context.workbench.main >= 0 ? this.context.workbench.nameOf(this.context.workbench.root) : "";
     document.title = `${changed.length > 0 ? "• " : ""}${name ? `${name} - ` : ""}Stepwire studio`;
   }
@@ -78,12 +78,12 @@ export class Bar {
     const {theme, settings} = this.context, own = theme.choice;
     const color = (choice: Choice, text: string): [string, () => void] =>
       [`${own === choice ? "● " : ""}${text}`, () => { theme.choose(choice); settings.set("theme", choice); }];
-    openMenu(this.more, [...this.drafts(), ...this.entries, color("system", "Colours of the system"), color("light", "Light"), color("dark", "Dark")]);
+    openMenu(this.more, [...this.drafts(), ...this.entries, color("system", "System colours"), color("light", "Light"), color("dark", "Dark")]);
   }
 
   /** Returns the entries that discard unsaved texts. */
   private drafts(): [string, () => void][] {
     const {workbench, notify} = this.context;
-    return workbench.changedFiles.map((document) => [`Give up the draft of ${document.name}`, () => void workbench.saving.discard(document).then(() => notify(`${document.name} is as the file has it`), (fault) => notify(fault.message, "fault"))]);
+    return workbench.changedFiles.map((document) => [`Discard the draft of ${document.name}`, () => void workbench.saving.discard(document).then(() => notify(`${document.name} has the text of the file again`), (fault) => notify(fault.message, "fault"))]);
   }
 }

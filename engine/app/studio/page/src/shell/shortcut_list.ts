@@ -3,8 +3,8 @@ import {h} from "./dom";
 import type {Shortcuts} from "./shortcuts";
 
 const editorKeys: [string, string][] = [
-  ["Ctrl+Z", "undo, also of what was done in the drawing"], ["Ctrl+Shift+Z", "redo"], ["Ctrl+F", "find"], ["Ctrl+Space", "complete"],
-  ["F2", "rename with every use"], ["F12", "go to the definition"], ["F8", "next fault"], ["Ctrl+.", "quick fixes of a fault"],
+  ["Ctrl+Z", "undo, also edits of the drawing"], ["Ctrl+Shift+Z", "redo"], ["Ctrl+F", "find"], ["Ctrl+Space", "complete"],
+  ["F2", "rename everywhere"], ["F12", "go to the definition"], ["F8", "next fault"], ["Ctrl+.", "quick fixes of a fault"],
 ];
 
 /** Shows all keys of the page, by group. */

@@ -30,14 +30,14 @@ export function showConflict(context: Context, conflict: Conflict): void {
   const scrollers = editors.map(({scrollDOM}) => scrollDOM);
   scrollers.forEach((one, i) => one.addEventListener("scroll", () => { scrollers[1 - i].scrollTop = one.scrollTop; }));
   const {workbench, notify} = context;
-  const overwrite = async () => { if (await workbench.saving.overwrite(document, text, hash)) notify(`${document.name} is saved with your text; undo brings the file's back`); };
+  const overwrite = async () => { if (await workbench.saving.overwrite(document, text, hash)) notify(`${document.name} is saved with your text; undo restores the file's`); };
   openDialog(`${document.name} was changed by another program`, [
     h("p", {}, `${ours.size} of your lines and ${theirs.size} of the file's lines differ (marked). Nothing has been written.`),
     h("div", {class: "conflict"}, h("h3", {}, "Your text"), h("h3", {}, "The file as it is now"), ...holders),
   ], (close) => [
-    h("button", {type: "button", onclick: close}, "Go on editing"),
-    h("button", {type: "button", onclick: () => { close(); workbench.saving.takeText(document, text, hash); }}, "Take the file (undo brings yours back)"),
-    h("button", {type: "button", onclick: () => { close(); void overwrite().catch((fault) => notify(fault.message, "fault")); }}, "Write mine over it"),
+    h("button", {type: "button", onclick: close}, "Continue editing"),
+    h("button", {type: "button", onclick: () => { close(); workbench.saving.takeText(document, text, hash); }}, "Use the file (undo restores yours)"),
+    h("button", {type: "button", onclick: () => { close(); void overwrite().catch((fault) => notify(fault.message, "fault")); }}, "Overwrite with mine"),
     h("button", {type: "button", class: "main", autofocus: true, onclick: () => { close(); workbench.saving.takeBoth(document, conflict); }}, "Keep both: the file's lines as comments"),
   ], () => editors.forEach((editor) => editor.destroy()));
 }

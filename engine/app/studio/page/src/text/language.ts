@@ -170,7 +170,7 @@ export class Language {
   private readonly rename: Command = (view) => {
     const {head} = view.state.selection.main, file = this.workbench.active?.file, word = view.state.wordAt(head);
     if (!word || file === undefined || !this.isThere) return false;
-    const {close, result} = showDialog(view, {label: "New name, with every use", input: {name: "name", value: view.state.sliceDoc(word.from, word.to)}, focus: true, submitLabel: "Rename"});
+    const {close, result} = showDialog(view, {label: "New name, everywhere", input: {name: "name", value: view.state.sliceDoc(word.from, word.to)}, focus: true, submitLabel: "Rename"});
     void result.then((form) => {
       view.dispatch({effects: close});
       view.focus();

@@ -14,7 +14,7 @@ async function addBode({workbench, run, notify, show}: Context, {signal}: {signa
   const document = await workbench.activate(workbench.root), {time} = run.news;
   await workbench.splice(document.file, {kind: "bode", signal, ...(time > 0 ? {at: `${Number(time.toPrecision(6))} s`} : {})});
   show("figures");
-  notify(`a Bode plot of the loop cut behind ${signal} is added to the text; play or From the start (R) draws it`);
+  notify(`a Bode plot of the loop opened at ${signal} is added to the text; Play or Restart (R) draws it`);
 }
 
 async function write({workbench, announce}: Context, {name, text}: {name: string; text: string}): Promise<void> {

@@ -38,7 +38,7 @@ export class TextSync {
   whenSynced(document: Document): Promise<void> {
     if (document.isSynced) return Promise.resolve();
     return new Promise((resolve, reject) => {
-      const own = this.waiting.get(document) ?? new Set(), end = this.connection.on("connection", () => reject(new Fault("there is no connection to the studio")));
+      const own = this.waiting.get(document) ?? new Set(), end = this.connection.on("connection", () => reject(new Fault("no connection to the studio")));
       this.waiting.set(document, own.add(() => { end(); resolve(); }));
       void this.send(document);
     });
@@ -61,7 +61,7 @@ export class TextSync {
   private recover(document: Document, {text, detail}: Fault): boolean {
     if (this.connection.state !== "open") return false;
     const current = detail.current as {text: string; version: number} | undefined;
-    if (!current) this.notify(`${document.name}: the change could not be kept: ${text}`, "fault");
+    if (!current) this.notify(`${document.name}: the change could not be stored: ${text}`, "fault");
     else this.applyRemote(document, document.rebaseText(current.text, current.version));
     return current !== undefined;
   }

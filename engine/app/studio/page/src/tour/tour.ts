@@ -22,8 +22,8 @@ export async function offerTour(context: Context): Promise<void> {
   const first = entries.find(({name}) => name.includes(example));
   const isOpen = context.workbench.nameOf(context.workbench.root).includes(example);
   const choose = (text: string, isMain: boolean, action: () => void) => h("button", {type: "button", class: isMain ? "main" : "plain", autofocus: isMain, onclick: action}, text);
-  openDialog("A short tour?", [h("p", {}, `${stops.length} stops, one minute: how text, drawing, run, scopes and tuning go together.`)], (close) => [
-    choose("No, thank you", false, close), choose("With this diagram", !first || isOpen, () => { close(); startTour(context); }),
+  openDialog("A short tour?", [h("p", {}, `${stops.length} steps, one minute: text, drawing, run, scopes and tuning.`)], (close) => [
+    choose("Dismiss", false, close), choose("With this diagram", !first || isOpen, () => { close(); startTour(context); }),
     ...(first && !isOpen ? [choose("With a copy of example 01", true, () => { close(); void begin(context, first); })] : []),
   ], () => void markSeen(context));
 }

@@ -32,7 +32,7 @@ export class TuningList implements View {
     listen(this.search, "input", () => this.show());
     this.ends = [run.on("loaded", (loaded) => this.load(loaded)), run.on("set", (echo) => this.rows.get(echo.name)?.took(echo))];
     if (run.loaded) this.load(run.loaded);
-    else this.list.append(h("li", {class: "empty"}, "What may be tuned is here once the diagram loads."));
+    else this.list.append(h("li", {class: "empty"}, "Parameters appear here once the diagram loads."));
   }
 
   dispose(): void {
@@ -47,7 +47,7 @@ export class TuningList implements View {
   private show(): void {
     const parameters = this.context.run.loaded?.parameters ?? [], all = listed(parameters, this.search.value, this.pinned);
     this.list.replaceChildren(...all.slice(0, most).map((parameter) => this.row(parameter).element));
-    if (parameters.length === 0) this.list.append(h("li", {class: "empty"}, "This diagram has no parameter and no number to tune."));
+    if (parameters.length === 0) this.list.append(h("li", {class: "empty"}, "This diagram has no parameters or numbers to tune."));
     this.more.hidden = all.length <= most;
     this.more.textContent = `${all.length - most} more; search by name`;
   }

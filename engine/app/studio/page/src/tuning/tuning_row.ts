@@ -17,7 +17,7 @@ export class TuningRow {
   private readonly field = h("input", {type: "text", class: "tuned-field", spellcheck: "false", autocomplete: "off"});
   private readonly echo = h("span", {class: "tuned-echo"});
   private readonly fault = h("p", {class: "tuned-fault", role: "alert", hidden: true});
-  private readonly pinned = h("button", {type: "button", class: "plain small", title: "Keep on top"}, icon("pin"));
+  private readonly pinned = h("button", {type: "button", class: "plain small", title: "Pin to the top"}, icon("pin"));
   private readonly back: HTMLButtonElement;
   private readonly write: HTMLButtonElement;
   private readonly queue = new SetQueue<string | number>((value) => this.send(value));
@@ -32,16 +32,16 @@ export class TuningRow {
     this.unit = parameter.shown;
     this.range = sliderRange(parameter);
     this.inText = {text: parameter.text, value: parameter.value};
-    this.back = this.button("Reset", `Back to ${parameter.text}, as the text has it`, () => void this.queue.put(this.inText.text));
-    this.write = this.button("To text", "Write this value to the text, as one edit that may be undone", () => this.writeToText());
-    this.pinned.setAttribute("aria-label", `Keep on top: ${name}`);
+    this.back = this.button("Reset", `Back to ${parameter.text}, the value in the text`, () => void this.queue.put(this.inText.text));
+    this.write = this.button("To text", "Write this value to the text, as one edit (Ctrl+Z undoes it)", () => this.writeToText());
+    this.pinned.setAttribute("aria-label", `Pin to the top: ${name}`);
     this.setPinned(isPinned);
     listen(this.pinned, "click", pin);
     for (const control of [this.slider, this.field]) control.setAttribute("aria-label", `${name}${doc ? `, ${doc}` : ""}`);
     this.element.append(
       h("div", {class: "tuned-head"}, h("span", {class: "tuned-name", title: name}, name), h("span", {class: "tuned-doc", title: doc}, doc), this.pinned),
       h("div", {class: "tuned-line"}, this.slider, this.field),
-      h("div", {class: "tuned-foot"}, this.echo, this.back, this.write, this.button("Sweep", `Run it at ${fanRuns} values between the ends, drawn behind the scopes`, () => void this.fan())), this.fault);
+      h("div", {class: "tuned-foot"}, this.echo, this.back, this.write, this.button("Sweep", `Run it at ${fanRuns} values between the ends; the curves appear behind the scopes`, () => void this.fan())), this.fault);
     listen(this.slider, "input", () => void this.queue.put(valueAt(Number(this.slider.value), this.range)));
     listen(this.field, "keydown", (event: KeyboardEvent) => this.press(event));
     listen(this.field, "change", () => this.enter());
