@@ -38,6 +38,7 @@ const std::vector<Home> homes{
     {"pybind11/", "engine/app/python"},
     {"Python.h", "engine/app/python"},
     {"xxhash", "engine/base/hash"},
+    {"sha256.h", "engine/base/hash"},
 };
 
 const Home* home_of(const std::string& header) {

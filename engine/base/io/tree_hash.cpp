@@ -21,9 +21,9 @@ TreeHash tree_hash(const std::string& folder) try {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_symlink() || !entry.is_directory())
       hashes[entry.path().lexically_relative(folder).generic_string()] = hash::sha256_of(content_of(entry));
-  hash::Sha256 all;
-  for (const auto& [path, hash] : hashes) all.add(path).add(std::string_view("\0", 1)).add(hash).add("\n");
-  return {all.text(), hashes.size()};
+  std::string list;
+  for (const auto& [path, hash] : hashes) (list += path).append(1, '\0').append(hash) += '\n';
+  return {hash::sha256_of(list), hashes.size()};
 } catch (const fs::filesystem_error& error) {
   throw EnvironmentError(folder + ": " + error.code().message());
 }

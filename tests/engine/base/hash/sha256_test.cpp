@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-using stepwire::hash::Sha256;
 using stepwire::hash::sha256_of;
 
 // The first three are the examples of FIPS 180-4; all are those of `printf ... | sha256sum`.
@@ -13,14 +12,4 @@ TEST_CASE("SHA-256 has the digests of its standard") {
         "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
   CHECK(sha256_of(std::string(1'000'000, 'a')) ==
         "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
-}
-
-TEST_CASE("SHA-256 is the same for all pieces of a text, around the length of a block") {
-  for (const std::size_t size : {1u, 55u, 56u, 63u, 64u, 65u, 127u, 128u, 200u}) {
-    Sha256 pieces;
-    for (std::size_t i = 0; i < size; ++i) pieces.add(std::string(1, static_cast<char>(i)));
-    std::string text;
-    for (std::size_t i = 0; i < size; ++i) text += static_cast<char>(i);
-    CHECK(pieces.text() == sha256_of(text));
-  }
 }
