@@ -138,7 +138,9 @@ std::optional<yaml::Message> formula_fault(const std::string& text, const yaml::
     const expression::Expression formula(text);
     if (!node.is_scalar() || node.quoted || formula.variables().empty()) return std::nullopt;
     for (const std::string& name : formula.variables())
-      if (!parameters.knows(name) && name != text)
+      if (const std::string cure = quantity_cure(text); !cure.empty() && !parameters.knows(name))
+        return yaml::Message(fmt::format("there is no parameter '{}'", name) + cure);
+      else if (!parameters.knows(name) && name != text)
         return fmt::format("there is no parameter '{}'", name) + yaml::did_you_mean(name, parameters.names());
     if (node.text.starts_with('$') && formula.variables().front() != text)
       return yaml::fault_text("'{0}' is a text there; a formula of parameters is written '= {0}'", text);

@@ -89,17 +89,6 @@ bool names_signals(std::string text, const ParameterScope& parameters) {
   }
 }
 
-/// Returns "50 1/s" for "50/s", a number and units without a blank, which is read as a formula; empty for
-/// other texts.
-std::string meant_quantity(const std::string& text) {
-  char* end = nullptr;
-  std::strtod(text.c_str(), &end);
-  const std::string number(text.c_str(), static_cast<const char*>(end)), rest(end);
-  if (number.empty() || (!rest.starts_with('/') && !rest.starts_with('*'))) return "";
-  const std::string meant = number + (rest[0] == '/' ? " 1" + rest : " " + rest.substr(1));
-  return unit::parse_quantity(meant) ? meant : "";
-}
-
 // Formulas of parameters: of single numbers, and of matrices.
 
 std::string no_numbers(const std::string& name) {
@@ -164,6 +153,15 @@ WrittenValue evaluated(const expression::Expression& expression, const std::vect
 }
 
 }  // namespace
+
+std::string quantity_cure(const std::string& text) {
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  const std::string number(text.c_str(), static_cast<const char*>(end)), rest(end);
+  if (number.empty() || (!rest.starts_with('/') && !rest.starts_with('*'))) return "";
+  const std::string meant = number + (rest[0] == '/' ? " 1" + rest : " " + rest.substr(1));
+  return unit::parse_quantity(meant) ? fmt::format("; a number with its unit is written '{}'", meant) : "";
+}
 
 std::string unit_complaint(const std::optional<unit::Dimension>& written,
                            const std::optional<unit::Dimension>& demanded) {
@@ -464,10 +462,7 @@ std::optional<WrittenValue> ValueReader::read_expression(const yaml::Node& node,
   } catch (const expression::ExpressionError& error) {
     yaml::Mark mark = node.mark;  // the line of a setting is 0
     if (mark.line > 0) mark.column += 1 + (node.quoted ? 1 : 0) + static_cast<int>(error.position);
-    const std::string meant = meant_quantity(node.text.substr(1));
-    const std::string cure =
-        meant.empty() ? "" : fmt::format("; a number with its unit is written '{}'", meant);
-    report_.add(at(mark), subject, error.what() + cure);
+    report_.add(at(mark), subject, error.what() + quantity_cure(node.text.substr(1)));
     return std::nullopt;
   }
 }

@@ -108,6 +108,11 @@ TEST_CASE("an element in another unit than its place is refused with its number"
         "numbers alone");
 }
 
+TEST_CASE("a number over a unit is answered with the number and its unit") {
+  CHECK(faults_of(pendulum + "  g: {block: Gain, u: x, gain: 50/s}\n").at(0) ==
+        "test.yaml:9:32: g.gain: there is no parameter 's'; a number with its unit is written '50 1/s'");
+}
+
 TEST_CASE("a parameter of several units passes them on, whole and by element") {
   const std::string text = "parameters: {start: [1 mm, 20 deg], first: = start.1}\n" + pendulum +
                            "  i: {block: Integrator, u: [1 mm/s, 2 deg/s], initial: $start}\n"
