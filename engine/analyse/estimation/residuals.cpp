@@ -60,6 +60,10 @@ void subtract(double offset, std::vector<double>& values) {
   for (double& value : values) value -= offset;
 }
 
+std::string too_few_rows(Eigen::Index rows, std::size_t unknown) {
+  return fmt::format("{} rows are compared, too few for {}", rows, text::counted(unknown, "unknown number"));
+}
+
 }  // namespace
 
 Residuals::Residuals(const ModelRuns& runs, const FitRequest& request, unsigned threads)
@@ -83,13 +87,9 @@ Residuals::Residuals(const ModelRuns& runs, const FitRequest& request, unsigned 
     count_ += rows_of(record);
     for (const FitComparison& comparison : request.comparisons) free_offsets_ += comparison.free_offset;
   }
-  if (sought && static_cast<std::size_t>(count_) <= unknowns_.size() + free_offsets_)
-    throw yaml::Error(
-        yaml::Fault{request.place,
-                    "fit",
-                    fmt::format("{} rows are compared, too few for {}", count_,
-                                text::counted(unknowns_.size() + free_offsets_, "unknown number")),
-                    {}});
+  const std::size_t sought_numbers = unknowns_.size() + free_offsets_;
+  if (sought && static_cast<std::size_t>(count_) <= sought_numbers)
+    throw yaml::Error(yaml::Fault{request.place, "fit", too_few_rows(count_, sought_numbers), {}});
 }
 
 void Residuals::find_unknowns() {

@@ -423,11 +423,7 @@ class EventLocator {
       if (at - from <= 4.0 * width || std::nextafter(from, at) == at || stretch == 100) return true;
       high = at;
       if (!(next > from)) continue;
-      run_.forget_fault();
-      go_back();
-      go(from, next, next - from, trial_);
-      if (sign_changes(start_, trial_, task_.crossing_count)) {
-        std::copy_n(trial_, task_.crossing_count, high_);
+      if (!is_before_crossing(from, next)) {
         high = next;
         left = {};
         continue;
@@ -440,6 +436,16 @@ class EventLocator {
       high = beyond_crossing(from, found.high, most);
       if (high == 0.0) return false;  // it has reversed before
     }
+  }
+
+  /// Steps from one time to another. False if a number has crossed there.
+  bool is_before_crossing(double from, double to) {
+    run_.forget_fault();
+    go_back();
+    go(from, to, to - from, trial_);
+    if (!sign_changes(start_, trial_, task_.crossing_count)) return true;
+    std::copy_n(trial_, task_.crossing_count, high_);
+    return false;
   }
 
   /// Makes the present states the start of further steps.
