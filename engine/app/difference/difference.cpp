@@ -266,12 +266,27 @@ class Comparer::OfFiles {
   void note_part(const Fact& before, const Fact& after) {
     has_equal_parts_ = false;
     const auto files = files_of_part(before, after);
-    if (!files) return;
+    if (!files) return note_unfetched(before, after);
     const auto& [from, to] = *files;
     if (comparer_.before_.read(from).root.canonical == comparer_.after_.read(to).root.canonical)
       has_equal_parts_ = true;
     else
       parts_.emplace_back(from, to);
+  }
+
+  /// Adds a line for a part of two commits of a repository of which one is not fetched.
+  void note_unfetched(const Fact& before, const Fact& after) {
+    const Fact *old_path = before.find("diagram"), *new_path = after.find("diagram");
+    if (!old_path || !new_path) return;
+    const auto from = diagram::use_of(before_.source->document.root, old_path->canonical);
+    const auto to = diagram::use_of(after_.source->document.root, new_path->canonical);
+    if (!from || !to || from->is_version_of(*to)) return;
+    changes_.push_back({.section = "parts that are not compared",
+                        .name = unmarked(after.key),
+                        .from = old_path->written + " at " + from->rev,
+                        .to = new_path->written + " at " + to->rev + ", as one of them is not fetched",
+                        .before = before.mark,
+                        .after = after.mark});
   }
 
   /// Returns the two files of a part; std::nullopt where one of the blocks is none, or its file is

@@ -271,7 +271,10 @@ void add_head(Record<RunReport>& is) {
   is.field("title", result::path(diagram_of, &Diagram::title), "title");
   is.field("hash", result::path(&RunReport::model, &LoadedModel::hash), "hash of the diagram and its data");
   is.field(
-      "uses", [](const RunReport& of) { return result::as<RunRepository>(diagram::used_repositories(diagram_of(of))); },
+      "uses",
+      [](const RunReport& of) {
+        return result::as<RunRepository>(diagram::used_repositories(diagram_of(of)));
+      },
       "repositories whose files are parts");
   is.field(
       "parameters", [](const RunReport& of) { return result::as<RunParameter>(diagram_of(of).parameters); },

@@ -314,4 +314,10 @@ TEST_CASE("diff compares the parts of two commits") {
   const Done changed = shop.run({"diff", "old.yaml", "main.yaml"});
   CHECK(changed.code == 1);
   CHECK_THAT(changed.out, Contains(shop.first + " -> " + second) && Contains("factor: 2 -> 5 (2.5 times)"));
+  fs::remove_all(shop.folder.path("cache"));
+  REQUIRE(shop.run({"fetch", "main.yaml"}).code == 0);
+  const Done unknown = shop.run({"diff", "old.yaml", "main.yaml"});
+  CHECK(unknown.code == 1);
+  CHECK_THAT(unknown.out, Contains("~ two: rig/doubler at " + shop.first + " -> rig/doubler at " + second +
+                                   ", as one of them is not fetched"));
 }
