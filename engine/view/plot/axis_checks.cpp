@@ -7,6 +7,7 @@
 #include "engine/analyse/query/number.hpp"
 #include "engine/base/text/count.hpp"
 #include "engine/base/unit/meaning.hpp"
+#include "engine/base/unit/unit.hpp"
 #include "engine/base/yaml/message.hpp"
 
 namespace stepwire::plot {
@@ -52,7 +53,8 @@ bool is_bare(const query::Series& series) {
 
 /// Returns the fault of two series in different units along one axis.
 yaml::Message two_units(const query::Series& series, const query::Series& axis) {
-  const bool is_alike = series.unit.dimension == axis.unit.dimension;
+  const auto one = unit::parse_unit(series.unit_text), other = unit::parse_unit(axis.unit_text);
+  const bool is_alike = one && other && one->dimension == other->dimension;
   const std::string cure =
       is_alike ? fmt::format("write '{} in {}'", series.formula.text, axis.unit_text) : "give each a panel";
   return yaml::fault_text("'{}' is drawn in {}, but '{}' in {}; one axis has one unit: {}", axis.formula.text,

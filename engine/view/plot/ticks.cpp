@@ -44,12 +44,29 @@ void set_step(PlotAxis& axis, double pixels, bool level) {
   axis.step = step;
 }
 
+std::ptrdiff_t letter_count(std::string_view text) {
+  return std::ranges::count_if(text, [](char byte) { return (byte & 0xc0) != 0x80; });  // UTF-8
+}
+
+/// Returns the width of a legend beside the axes, for which gnuplot counts letters.
+double legend_width(const PlotSpec& plot) {
+  constexpr double of_letter = 0.6 * letters, beside_text = 62.0;  // [px]
+  std::ptrdiff_t longest = 0;
+  for (const PlotMark& mark : plot.marks)
+    std::visit(
+        [&](const auto& of) {
+          if constexpr (requires { of.legend; }) longest = std::max(longest, letter_count(of.legend));
+        },
+        mark);
+  return beside_text + of_letter * static_cast<double>(longest);
+}
+
 }  // namespace
 
 AxesSize axes_size(const PlotSpec& plot, double width, double height) {
   if (plot.view) return {0.4 * width, 0.4 * height};
   const double beside = plot.color ? 95.0 : 20.0,
-               legend = plot.legend == PlotSpec::Legend::beside ? 150.0 : 0.0;
+               legend = plot.legend == PlotSpec::Legend::beside ? legend_width(plot) : 0.0;
   const double above =
       (plot.title.empty() ? 8.0 : 28.0) + (plot.legend == PlotSpec::Legend::none ? 0.0 : 24.0);
   AxesSize size{width - 75.0 - beside - legend, height - 50.0 - above};

@@ -134,10 +134,10 @@ TEST_CASE("any diagram takes what a fit wrote") {
   CHECK(run_program(folder, {"run", "b.yaml", "--set-from", "out/parameters.yaml"}).code == 0);
   CHECK(run_program(folder, {"run", "b.yaml", "--set-from", "out/parameters.yaml", "--set", "tau=1s"}).code ==
         1);
-  folder.file("list.yaml", "tau: [1, 2]\n");
-  const Done refused = run_program(folder, {"run", "b.yaml", "--set-from", "list.yaml"});
+  folder.file("map.yaml", "tau: {a: 1}\n");
+  const Done refused = run_program(folder, {"run", "b.yaml", "--set-from", "map.yaml"});
   CHECK(refused.code == 2);
-  CHECK_THAT(refused.err, StartsWith("list.yaml:1:6: tau: a file of settings has lines such as"));
+  CHECK_THAT(refused.err, StartsWith("map.yaml:1:6: tau: a file of settings has lines such as"));
 }
 
 TEST_CASE("a file without a section fit is refused by fit") {

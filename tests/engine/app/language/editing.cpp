@@ -6,8 +6,6 @@
 
 namespace stepwire::language {
 
-const std::string file_head = "stepwire: 1\ntitle: t\nstep: 1 ms\nstop: 1 s\nsolver: rk4\n";
-
 namespace {
 
 const Registry& all_blocks() {

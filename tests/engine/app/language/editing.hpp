@@ -50,6 +50,6 @@ class Editing {
 std::string in_range(const std::string& text, const EditorRange& range);
 
 /// The text above the blocks of a small diagram.
-extern const std::string file_head;
+inline const std::string file_head = "stepwire: 1\ntitle: t\nstep: 1 ms\nstop: 1 s\nsolver: rk4\n";
 
 }  // namespace stepwire::language

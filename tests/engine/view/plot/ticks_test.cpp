@@ -66,6 +66,11 @@ TEST_CASE("numbers at an axis do not touch in small panels") {
   CHECK(min_room(drawn(panels)) > 3.0);
   const std::string negative = "{plot: xy, x: rig.x in um, y: rig.v in mm/s, x_range: [-1000 um, 900 um]}";
   CHECK(min_room(drawn("{columns: 3, size: [600, 200], panels: [" + negative + "]}")) > 3.0);
+  const std::string named =
+      "{plot: lines, x: time in ms, x_range: [-0.16 s, 0.16 s], y: [rig.x, rig.x, rig.x, rig.x, rig.x], "
+      "legend: "
+      "[current = 0 A, current = 0.1 A, current = 0.2 A, current = 0.3 A, current = 0.35 A]}";
+  CHECK(min_room(drawn("{columns: 2, size: [1040, 400], panels: [" + named + ", " + named + "]}")) > 3.0);
 }
 
 TEST_CASE("ticks are as far apart as gnuplot has them, and farther where there is no room") {
