@@ -41,7 +41,7 @@ test("the marks are said with their distance and its inverse", () => {
 
 test("a number between the cursors becomes a line of claims", () => {
   const measured = {source: "cart.position in mm", label: "cart.position", statistics: between, unit: millimetres, a: 1, b: 2.5};
-  assert.equal(m.claimText(measured, "max"), "{that: the greatest cart.position from 1 s to 2.5 s is 50 mm, where: time >= 1 s && time <= 2.5 s, max: cart.position, equals: 50 mm, within: 1 %}");
+  assert.equal(m.claimText(measured, "max"), "{that: the maximum of cart.position from 1 s to 2.5 s is 50 mm, where: time >= 1 s && time <= 2.5 s, max: cart.position, equals: 50 mm, within: 1 %}");
   assert.equal(m.claimText(measured, "a"), "{that: cart.position is 10 mm at 1 s, at: {time: 1 s, value: cart.position}, equals: 10 mm, within: 1 %}");
   assert.equal(m.claimText(measured, "slope"), undefined);
   assert.match(m.claimText({...measured, source: "max(a, b)"}, "min"), /min: "max\(a, b\)", equals: -1 mm/);
