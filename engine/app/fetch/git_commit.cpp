@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <set>
 #include <sstream>
 #include <string_view>
 
@@ -136,11 +137,14 @@ void check_path(const std::string& path) {
     throw FetchProblem(fmt::format("the repository has a file '{}', which is refused", text::visible(path)));
 }
 
+[[noreturn]] void refuse_link(const std::string& path, const std::string& target) {
+  throw FetchProblem(fmt::format("the link '{}' leads out of the repository, to '{}'; it is refused",
+                                 text::visible(path), text::visible(target)));
+}
+
 void check_link(const std::string& path, const std::string& target, const std::string& folder) {
   const fs::path full = fs::path(folder) / fs::path(path).parent_path() / target;
-  if (fs::path(target).is_absolute() || !io::is_below(full.string(), folder))
-    throw FetchProblem(fmt::format("the link '{}' leads out of the repository, to '{}'; it is refused",
-                                   text::visible(path), text::visible(target)));
+  if (!io::is_below(full.string(), folder)) refuse_link(path, target);
 }
 
 /// Splits the next content from the output of `cat-file --batch`: "OBJECT blob SIZE", a line end, the bytes.
@@ -166,7 +170,23 @@ void make_link(const std::string& path, const std::string& target) {
   if (error) throw FetchProblem(fmt::format("{}: {}", path, error.message()));
 }
 
-/// Writes files and links, and checks links once all of them are there.
+/// Refuses a path that occurs twice, and one below a file or a link. git itself makes no such commit, but
+/// takes it from others.
+void check_tree(const std::vector<TreeEntry>& entries) {
+  std::set<std::string> paths;
+  const auto refuse = [](const std::string& path) {
+    throw FetchProblem(
+        fmt::format("the commit has '{}' twice, or a path below it; it is refused", text::visible(path)));
+  };
+  for (const TreeEntry& entry : entries)
+    if (!paths.insert(fs::path(entry.path).lexically_normal().string()).second) refuse(entry.path);
+  for (const std::string& path : paths)
+    for (fs::path above = fs::path(path).parent_path(); !above.empty(); above = above.parent_path())
+      if (paths.contains(above.string())) refuse(above.string());
+}
+
+/// Writes files, then links. A link that would lead out of the folder by its text is not made; one that does
+/// so by other links is found once all of them are there.
 void write_entries(const std::vector<TreeEntry>& entries, std::string_view contents,
                    const std::string& folder, WrittenFiles& written) {
   std::vector<std::pair<std::string, std::string>> links;
@@ -179,7 +199,12 @@ void write_entries(const std::vector<TreeEntry>& entries, std::string_view conte
     else
       io::write_file(folder + "/" + entry.path, content);
   }
-  for (const auto& [path, target] : links) make_link(folder + "/" + path, target);
+  for (const auto& [path, target] : links) {
+    const fs::path full = (fs::path(folder) / fs::path(path).parent_path() / target).lexically_normal();
+    if (fs::path(target).is_absolute() || full.lexically_relative(folder).string().starts_with(".."))
+      refuse_link(path, target);
+    make_link(folder + "/" + path, target);
+  }
   for (const auto& [path, target] : links) check_link(path, target, folder);
   written.files = entries.size();
 }
@@ -196,6 +221,7 @@ WrittenFiles write_commit(const std::string& url, const std::string& commit, con
       written.left_out.push_back(entry.path + " is a submodule, which is not fetched");
   }
   std::erase_if(entries, [](const TreeEntry& entry) { return entry.is_submodule(); });
+  check_tree(entries);
   write_entries(entries, repository.contents(entries), folder, written);
   return written;
 }

@@ -323,8 +323,20 @@ SweptValues listed(const yaml::Node& list) {
   return SweptValues(std::move(texts), std::move(marks));
 }
 
+/// Returns the list of values of a parameter; nullptr for a range. A list has no further keys.
+const yaml::Node* list_of(const yaml::Entry& entry, const Scope& scope, Report& report) {
+  if (!entry.value.is_map()) return &entry.value;
+  const yaml::Node* list = entry.value.find("values");
+  for (const yaml::Entry& other : entry.value.entries)
+    if (list && other.key != "values")
+      report.add(
+          scope.at(other.mark), "sweep." + entry.key,
+          fmt::format("has no '{}' beside 'values'; each value has its unit: [1 mm, 2 mm]", other.key));
+  return list;
+}
+
 void read_axis(const yaml::Entry& entry, Sweep& sweep, const Scope& scope, Report& report) {
-  const yaml::Node* list = entry.value.is_map() ? entry.value.find("values") : &entry.value;
+  const yaml::Node* list = list_of(entry, scope, report);
   Sweep::Axis axis{entry.key, {}, scope.at(entry.mark)};
   if (list && list->is_list()) {
     axis.values = listed(*list);

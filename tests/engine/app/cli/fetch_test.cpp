@@ -215,6 +215,32 @@ TEST_CASE("a link that leads out of a repository is refused, one inside is kept"
   }
 }
 
+// git makes no tree with a path twice, yet fetches one. A file below a link would be written where the link
+// leads.
+TEST_CASE("a commit with a link and a folder of one name is refused before a file is written") {
+  const Workshop shop;
+  const auto bytes = [](const std::string& hex) {
+    std::string all;
+    for (std::size_t i = 0; i < hex.size(); i += 2)
+      all += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
+    return all;
+  };
+  shop.folder.file("lib/target", shop.folder.path("outside"));
+  fs::create_directory(shop.folder.path("outside"));
+  const std::string target = shop.git("lib", {"hash-object", "-w", "target"});
+  const std::string inner = shop.git("lib", {"rev-parse", shop.first + "^{tree}"});
+  shop.folder.file("lib/tree", "120000 a" + std::string(1, '\0') + bytes(target) + "40000 a" +
+                                   std::string(1, '\0') + bytes(inner));
+  const std::string tree = shop.git("lib", {"hash-object", "-t", "tree", "-w", "--literally", "tree"});
+  const std::string commit = shop.git("lib", {"commit-tree", "-m", "two", tree});
+  shop.git("lib", {"update-ref", "refs/heads/main", commit});
+  shop.use(commit, "");
+  const Done refused = shop.run({"fetch", "main.yaml"});
+  CHECK(refused.code == 2);
+  CHECK_THAT(refused.err, Contains("'a'") && Contains("refused"));
+  CHECK(fs::is_empty(shop.folder.path("outside")));
+}
+
 TEST_CASE("a path that leads out of the fetched files is refused") {
   const Workshop shop;
   shop.folder.file("lib/outside.yaml", replaced(doubler, "{block: Gain, u: x, gain: $factor}",

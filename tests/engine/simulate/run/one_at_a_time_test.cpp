@@ -94,6 +94,15 @@ TEST_CASE("a number in quotes among swept values is refused as the text that it 
                     Contains("'1' is text because of its quotes; leave them out for a number"));
 }
 
+TEST_CASE("a list of swept values has no further keys, such as a unit that would be ignored") {
+  for (const std::string axis : {"{values: [2, 3], unit: mm}", "{values: [2 mm, 3 mm], doc: gap}"})
+    for (const std::string section : {"b: " + axis, "one_at_a_time: {b: " + axis + "}"}) {
+      INFO(section);
+      CHECK_THROWS_WITH(swept(two + "sweep: {" + section + "}\n"),
+                        Contains("beside 'values'; each value has its unit: [1 mm, 2 mm]"));
+    }
+}
+
 TEST_CASE("what one parameter at a time cannot be is refused in words") {
   CHECK_THROWS_WITH(swept(two + "sweep: {one_at_a_time: {y.valu: [1]}}\n"),
                     Contains("did you mean 'y.value'"));
