@@ -33,11 +33,26 @@ Value divided(const Value& value, double by) {
   return each('/', value, Value::of(by));
 }
 
+/// Adds the block that is true where a level of Simulink resets: the signal is not 0 now, or was not at the
+/// sample before. Returns its name.
+static std::string level_condition(BlockWriter& write, const std::string& signal) {
+  if (write.block().type != "DiscreteIntegrator")  // the state is held up to the step at which it is free
+    return write.extra("reset",
+                       block_node("Expression", {{"u", word(signal)}, {"expression", word("u1 != 0")}}));
+  yaml::Node before = block_node("UnitDelay", {{"u", word(signal)}, {"initial", word("0")}});
+  const SampleTime time = write.sample_time("SampleTime", "1");
+  if (time.kind == SampleTime::Kind::discrete) add(before, "every", write.every_node(time));
+  const std::string last = write.extra("reset_before", std::move(before));
+  return write.extra("reset", block_node("Expression", {{"u", list_of({word(signal), word(last)})},
+                                                        {"expression", word("u1 != 0 || u2 != 0")}}));
+}
+
 void add_reset(BlockWriter& write, const std::string& kind, int input) {
   if (kind == "none") return;
   static const std::set<std::string> known{"rising", "falling", "either", "level"};
   if (!known.contains(kind)) throw Untranslated("its external reset is '" + kind + "'");
-  write.key("reset", write.source(input)).key("trigger", kind);
+  const std::string signal = write.source(input);
+  write.key("reset", kind == "level" ? level_condition(write, signal) : signal).key("trigger", kind);
 }
 
 void require(const BlockWriter& write, const std::string& name, const std::string& only) {

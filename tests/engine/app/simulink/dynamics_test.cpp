@@ -54,6 +54,26 @@ TEST_CASE("an integrator is reset as its model says") {
   CHECK(Imported(ModelText{system}).last("y") == near(0.4));
 }
 
+TEST_CASE("a level resets while it is not zero, also below zero") {
+  const auto end = [](const std::string& integrator, const P& step) {
+    const std::string system = number(1, "1") + block("Step", "Step", 2, step) + integrator +
+                               block("ToWorkspace", "W", 10, {{"VariableName", "y"}}) +
+                               line("1#out:1", {"9#in:1"}) + line("2#out:1", {"9#in:2"}) +
+                               line("9#out:1", {"10#in:1"});
+    return Imported(ModelText{system}).last("y");
+  };
+  const std::string continuous =
+      block("Integrator", "I", 9, {{"ExternalReset", "level"}, {"InitialCondition", "3"}});
+  CHECK(end(continuous, {{"Time", "0.5"}, {"Before", "-1"}, {"After", "0"}}) == near(3.5));
+  CHECK(end(continuous, {{"Time", "0.5"}, {"Before", "2"}, {"After", "0"}}) == near(3.5));
+  CHECK(end(continuous, {{"Time", "0.5"}, {"Before", "0"}, {"After", "-1"}}) == near(3.0));
+  // The sample at 0.5 s resets as well, so that half a second remains.
+  const std::string discrete =
+      block("DiscreteIntegrator", "I", 9,
+            {{"ExternalReset", "level"}, {"InitialCondition", "3"}, {"SampleTime", "0.1"}});
+  CHECK(end(discrete, {{"Time", "0.5"}, {"Before", "-1"}, {"After", "0"}}) == near(3.5));
+}
+
 TEST_CASE("discrete blocks of Simulink act at their sample times") {
   const P tenth{{"SampleTime", "0.1"}};
   const auto with = [&](P parameters) {
