@@ -239,7 +239,6 @@ class Formula {
     const std::size_t start = at_;
     while (is_digit(peek())) ++at_;
     if (peek() == '.' && std::string_view("*/^'").find(peek(1)) == std::string_view::npos) ++at_;
-    if (peek() == '.' && peek(1) == '\0') ++at_;
     while (is_digit(peek())) ++at_;
     const std::size_t sign = peek(1) == '+' || peek(1) == '-' ? 2 : 1;
     if ((peek() == 'e' || peek() == 'E') && is_digit(peek(sign))) at_ += sign;
