@@ -77,12 +77,12 @@ Action declare_import(CLI::App& verb) {
 }  // namespace
 
 Verb import_verb() {
-  return {
-      "import", "write a Simulink model as a diagram, and report what differs",
-      "Example:\n  stepwire import motor.slx -o motor.yaml\n"
-      "The exit code is 0 where the diagram is complete, 1 where blocks or values have to be written, and 2 "
-      "where the model cannot be read.",
-      declare_import};
+  return {"import", "write a Simulink model as a diagram, and report what differs",
+          "Example:\n  stepwire import motor.slx -o motor.yaml\n"
+          "The exit code is 0 where the diagram is complete, 1 where blocks or values have to be written or "
+          "the run "
+          "differs from that of the model, and 2 where the model cannot be read.",
+          declare_import};
 }
 
 }  // namespace stepwire::cli

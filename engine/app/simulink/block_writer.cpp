@@ -173,16 +173,25 @@ void BlockWriter::ignore(const std::string& name, const std::string& without_eff
     note(fmt::format("its {} is {}, which is not translated", name, on_one_line(written)));
 }
 
+/// True for data types whose numbers are those of double precision.
+static bool is_plain_type(const std::string& type) {
+  return type.empty() || type.starts_with("Inherit") || type == "double" || type == "boolean" ||
+         type == "Boolean" || type == "Same as first input" || type == "Logical" || type == "auto" ||
+         type.starts_with("Bus:");
+}
+
 void BlockWriter::check_types() const {
   for (const char* name : {"OutDataTypeStr", "OutDataTypeMode", "OutDataType"}) {
     const std::string type = text(name, "double");
-    const bool is_plain = type.empty() || type.starts_with("Inherit") || type == "double" ||
-                          type == "boolean" || type == "Boolean" || type == "Same as first input" ||
-                          type == "Logical" || type == "auto";
-    if (!is_plain && !(type.starts_with("fixdt(1,16") && std::string(name) == "OutDataType") &&
-        type.find("sfix(16)") == type.npos)
-      note(fmt::format("its data type is {}, and its signal is of double precision here", on_one_line(type)));
+    const bool is_default = (type.starts_with("fixdt(1,16") && std::string(name) == "OutDataType") ||
+                            type.find("sfix(16)") != type.npos;
+    if (!is_plain_type(type) && !is_default)
+      deviates(
+          fmt::format("its data type is {}, and its signal is of double precision here", on_one_line(type)));
   }
+  for (const auto& [name, type] : block_.texts)
+    if (name.ends_with("DataTypeStr") && name != "OutDataTypeStr" && !is_plain_type(type))
+      deviates(fmt::format("its {} is {}, and that is of double precision here", name, on_one_line(type)));
 }
 
 void BlockWriter::check_sample_time() const {
@@ -192,15 +201,19 @@ void BlockWriter::check_sample_time() const {
   if (std::ranges::any_of(flat_.made, has_every)) return;
   const Value time = value("SampleTime", "-1");
   if (time.is_scalar() && (time.cells[0].number <= 0.0 || std::isinf(time.cells[0].number))) return;
-  note(fmt::format("its sample time {} is not translated; give it `every`", on_one_line(text)));
+  deviates(fmt::format("its sample time {} is not translated; give it `every`", on_one_line(text)));
 }
 
 void BlockWriter::check_common(bool locates_events) const {
   check_types();
   check_sample_time();
   ignore("AbsoluteTolerance", "auto");
+  const std::string method = text("ApproximationMethod", "None");
+  if (method != "None" && !method.empty())
+    deviates(fmt::format("its approximation is {} in Simulink, and its function is exact here",
+                         on_one_line(method)));
   if (text("SamplingMode", "Sample based") == "Frame based")
-    note("works on frames in Simulink, and on samples here");
+    deviates("works on frames in Simulink, and on samples here");
   if (locates_events && text("ZeroCross", "on") == "off")
     note("its zero crossings are not located in Simulink, and are here");
 }

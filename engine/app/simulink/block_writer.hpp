@@ -115,6 +115,10 @@ class BlockWriter {
   /// Returns the key `every` of a sample time; an empty node without a period.
   yaml::Node every_node(const SampleTime& time) const;
 
+  /// Adds a sentence to the report on a run that differs from that of the model.
+  void deviates(const std::string& sentence) const {
+    notes_.push_back({NoteKind::deviates, flat_.path, sentence});
+  }
   /// Adds a sentence to the report.
   void note(const std::string& sentence) const {
     notes_.push_back({NoteKind::differs, flat_.path, sentence});

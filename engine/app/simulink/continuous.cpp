@@ -16,13 +16,7 @@ void integrator(BlockWriter& write) {
   if (write.is_on("WrapState")) throw Untranslated("it wraps its state");
   write.collected().has_states = true;
   write.make("Integrator").u();
-  add_reset(write, reset, 2);
-  if (write.text("InitialConditionSource", "internal") == "external")
-    write.key("initial", write.source(reset == "none" ? 2 : 3));
-  else
-    write.key("initial", "InitialCondition", "0");
-  if (write.is_on("LimitOutput"))
-    write.limit("lower", "LowerSaturationLimit", "-inf").limit("upper", "UpperSaturationLimit", "inf");
+  add_integrator_keys(write);
   write.output(0, write.name() + ".before");
 }
 
@@ -44,7 +38,7 @@ void derivative(BlockWriter& write) {
   const double tau = write.collected().step;
   write.collected().has_states = true;
   write.make("Derivative").u().key("tau", fmt::format("{}", tau));
-  write.note(
+  write.deviates(
       fmt::format("takes differences between steps in Simulink, and is filtered with tau = {} s here", tau));
 }
 

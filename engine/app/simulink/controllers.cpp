@@ -78,8 +78,8 @@ void continuous(BlockWriter& write, const Gains& gains) {
       write.key("tau", each('/', Value::of(1.0), write.finite("N", "100")));
     } else {
       write.key("tau", fmt::format("{}", write.collected().step));
-      write.note(fmt::format("its derivative has no filter, and is filtered with tau = {} s here",
-                             write.collected().step));
+      write.deviates(fmt::format("its derivative has no filter, and is filtered with tau = {} s here",
+                                 write.collected().step));
     }
     write.key("settled", "false");
   }

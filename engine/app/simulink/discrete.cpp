@@ -63,17 +63,6 @@ void delay(BlockWriter& write) {
   write.make("UnitDelay").key("u", last).key("initial", start);
 }
 
-/// Adds the reset, initial value and limits of an integrator.
-void add_integrator_keys(BlockWriter& write, const std::string& reset) {
-  add_reset(write, reset, 2);
-  if (write.text("InitialConditionSource", "internal") == "external")
-    write.key("initial", write.source(reset == "none" ? 2 : 3));
-  else
-    write.key("initial", "InitialCondition", "0");
-  if (write.is_on("LimitOutput"))
-    write.limit("lower", "LowerSaturationLimit", "-inf").limit("upper", "UpperSaturationLimit", "inf");
-}
-
 void discrete_integrator(BlockWriter& write) {
   const std::string method = write.text("IntegratorMethod", "Integration: Forward Euler");
   const std::string reset = write.text("ExternalReset", "none");
@@ -91,11 +80,12 @@ void discrete_integrator(BlockWriter& write) {
   write.key("method", forward                              ? "forward_euler"
                       : method.ends_with("Backward Euler") ? "backward_euler"
                                                            : "trapezoidal");
-  add_integrator_keys(write, reset);
+  add_integrator_keys(write);
   write.every("SampleTime", "1");
   if (!forward && !write.text("InitialConditionSetting", write.text("InitialConditionMode", "Output"))
                        .starts_with("State"))
-    write.note("its first output is its initial value in Simulink; here the first input is already in it");
+    write.deviates(
+        "its first output is its initial value in Simulink; here the first input is already in it");
 }
 
 void refuse_initial_states(const BlockWriter& write) {
@@ -171,7 +161,7 @@ void rate_transition(BlockWriter& write) {
   else
     write.output(1, write.source());
   if (write.is_on("Deterministic", "on"))
-    write.note("from a slow to a fast rate it delays by a slow period in Simulink, and not here");
+    write.deviates("from a slow to a fast rate it delays by a slow period in Simulink, and not here");
 }
 
 }  // namespace

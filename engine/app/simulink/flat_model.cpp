@@ -123,7 +123,7 @@ void FlatModel::add_lines(Instance& instance) {
 void FlatModel::add_block(Instance& instance, const Block& block) {
   const std::string commented = text_of(model_, block, "Commented", "off");
   if (commented != "off")
-    notes_.push_back({NoteKind::differs, instance.path + block.name,
+    notes_.push_back({commented == "on" ? NoteKind::differs : NoteKind::deviates, instance.path + block.name,
                       commented == "on" ? "is commented out and left out"
                                         : "is commented through in Simulink, and acts here"});
   if (commented == "on") return;

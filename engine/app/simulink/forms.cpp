@@ -33,11 +33,57 @@ Value divided(const Value& value, double by) {
   return each('/', value, Value::of(by));
 }
 
+/// Adds the block that is true where a level of Simulink resets: the signal is not 0 now, or was not at the
+/// sample before. Returns its name.
+static std::string level_condition(BlockWriter& write, const std::string& signal) {
+  if (write.block().type != "DiscreteIntegrator")  // the state is held up to the step at which it is free
+    return write.extra("reset",
+                       block_node("Expression", {{"u", word(signal)}, {"expression", word("u1 != 0")}}));
+  yaml::Node before = block_node("UnitDelay", {{"u", word(signal)}, {"initial", word("0")}});
+  const SampleTime time = write.sample_time("SampleTime", "1");
+  if (time.kind == SampleTime::Kind::discrete) add(before, "every", write.every_node(time));
+  const std::string last = write.extra("reset_before", std::move(before));
+  return write.extra("reset", block_node("Expression", {{"u", list_of({word(signal), word(last)})},
+                                                        {"expression", word("u1 != 0 || u2 != 0")}}));
+}
+
 void add_reset(BlockWriter& write, const std::string& kind, int input) {
   if (kind == "none") return;
   static const std::set<std::string> known{"rising", "falling", "either", "level"};
   if (!known.contains(kind)) throw Untranslated("its external reset is '" + kind + "'");
-  write.key("reset", write.source(input)).key("trigger", kind);
+  const std::string signal = write.source(input);
+  write.key("reset", kind == "level" ? level_condition(write, signal) : signal).key("trigger", kind);
+}
+
+int initial_input(const Model& model, const Block& integrator) {
+  if (text_of(model, integrator, "InitialConditionSource", "internal") != "external") return 0;
+  return text_of(model, integrator, "ExternalReset", "none") == "none" ? 2 : 3;
+}
+
+/// Adds an initial value from outside. Behind a block IC it is the value of that at the first step, and at a
+/// reset the input of that.
+static void add_initial_signal(BlockWriter& write, const std::string& source, bool has_reset) {
+  FlatModel& model = write.model();
+  const auto at = FlatModel::token_of(source);
+  const FlatBlock* from = at ? &model.blocks()[at->first] : nullptr;
+  if (!from || from->block->type != "InitialCondition" || from->in->unit != write.instance().unit) {
+    write.key("initial", source);
+    return;
+  }
+  const Value value = model.evaluate(*from->in, text_of(model.model(), *from->block, "Value", "1"));
+  write.key("initial", write.extra("initial", block_node("Constant", {{"value", value_node(value)}})));
+  if (has_reset) write.key("value", model.source(*from->in, *from->block, "in:1"));
+}
+
+void add_integrator_keys(BlockWriter& write) {
+  const std::string reset = write.text("ExternalReset", "none");
+  add_reset(write, reset, 2);
+  if (const int input = initial_input(write.model().model(), write.block()); input > 0)
+    add_initial_signal(write, write.source(input), reset != "none");
+  else
+    write.key("initial", "InitialCondition", "0");
+  if (write.is_on("LimitOutput"))
+    write.limit("lower", "LowerSaturationLimit", "-inf").limit("upper", "UpperSaturationLimit", "inf");
 }
 
 void require(const BlockWriter& write, const std::string& name, const std::string& only) {

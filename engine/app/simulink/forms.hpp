@@ -20,6 +20,10 @@ yaml::Node constant_source(BlockWriter& write, const std::string& suffix, const 
 std::string in_formula(const Cell& cell);
 /// Returns the quotient of a value and a number.
 Value divided(const Value& value, double by);
+/// Returns the input of an integrator for its initial value; 0 where that is a parameter.
+int initial_input(const Model& model, const Block& integrator);
+/// Adds the reset, the initial value and the limits of an integrator.
+void add_integrator_keys(BlockWriter& write);
 /// Adds `reset`, `trigger` for the ExternalReset of a block, whose signal is at an input.
 void add_reset(BlockWriter& write, const std::string& kind, int input);
 /// Throws Untranslated where a parameter has another value than this one.

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <map>
 #include <set>
+#include <string_view>
 
 #include "engine/app/simulink/forms.hpp"
 #include "engine/app/simulink/functions.hpp"
@@ -80,64 +81,197 @@ bool is_name_part(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// The formula of a block Fcn with its elements as inputs: u(2), u[2] and u.
+/// An operator of a formula.
+struct Operator {
+  std::string_view sign;
+  int level;  ///< in the order of precedence; a greater one binds stronger
+  std::string_view written;
+  int strength;  ///< of the written sign: 1 ||, 2 && and !, 5 comparison, 6 sum, 7 product, 8 sign, 9 power
+};
+
+constexpr int level_of_signs = 8;
+constexpr int atom = 10;  // strength of what needs no brackets
+
+constexpr Operator sums_and_products[] = {{"+", 6, " + ", 6}, {"-", 6, " - ", 6}, {"*", 7, "*", 7},
+                                          {"/", 7, "/", 7},   {".*", 7, "*", 7},  {"./", 7, "/", 7}};
+constexpr Operator orders[] = {
+    {"<=", 5, " <= ", 5}, {">=", 5, " >= ", 5}, {"<", 5, " < ", 5}, {">", 5, " > ", 5}};
+// MATLAB: | binds stronger than &&, and all comparisons alike. Longer signs come first.
+constexpr Operator truths_of_matlab[] = {{"||", 1, " || ", 1}, {"&&", 2, " && ", 2}, {"|", 3, " || ", 1},
+                                         {"&", 4, " && ", 2},  {"==", 5, " == ", 5}, {"~=", 5, " != ", 5}};
+// Fcn: as in C.
+constexpr Operator truths_of_fcn[] = {{"||", 1, " || ", 1}, {"&&", 2, " && ", 2}, {"|", 1, " || ", 1},
+                                      {"&", 2, " && ", 2},  {"==", 4, " == ", 5}, {"~=", 4, " != ", 5},
+                                      {"!=", 4, " != ", 5}};
+
+/// A piece of a written formula.
+struct Piece {
+  std::string text;
+  int strength = atom;  ///< of its weakest operator
+};
+
+std::string in_brackets(const Piece& piece, bool has_brackets) {
+  return has_brackets ? "(" + piece.text + ")" : piece.text;
+}
+
+/// Returns a op b, whose signs are read from left to right.
+Piece joined(const Piece& a, const Operator& op, const Piece& b) {
+  const bool is_chain = op.strength == 6 || op.strength == 7;
+  const std::string left =
+      in_brackets(a, a.strength < op.strength || (a.strength == op.strength && !is_chain));
+  const std::string right = in_brackets(b, b.strength <= op.strength || b.text.starts_with('-'));
+  return {left + std::string(op.written) + right, op.strength};
+}
+
+/// The formula of a block Fcn, or of an Interpreted MATLAB Function, with the precedence of its language and
+/// the elements of its input as inputs: u(2), u[2] and u.
 class Formula {
  public:
-  Formula(BlockWriter& write, std::string text) : write_(write), text_(std::move(text)) {}
+  Formula(BlockWriter& write, std::string text)
+      : write_(write), is_matlab_(write.block().type == "MATLABFcn"), text_(std::move(text)) {}
 
   void translate() {
-    for (std::size_t at = 0; at < text_.size();) at = step(at);
-    expression(write_, result_, inputs());
+    const Piece whole = binary(1);
+    if (at_ < text_.size()) unexpected();
+    expression(write_, whole.text, inputs());
   }
 
  private:
-  std::size_t step(std::size_t at) {
-    const char c = text_[at];
-    if (std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_') return name(at);
-    const bool is_digit = std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.';
-    if (is_digit) return number(at);
-    if (c == '~' || (c == '!' && text_.substr(at, 2) != "!=")) {
-      result_ += text_.substr(at, 2) == "~=" ? "!=" : "!";
-      return at + (text_.substr(at, 2) == "~=" ? 2 : 1);
-    }
-    if (c == '&' || c == '|') {
-      result_ += std::string(2, c);
-      return at + (at + 1 < text_.size() && text_[at + 1] == c ? 2 : 1);
-    }
-    result_ += c;
-    return at + 1;
+  char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+
+  void skip() {
+    while (peek() == ' ' || peek() == '\t' || peek() == '\n' || peek() == '\r') ++at_;
   }
 
-  std::size_t number(std::size_t at) {
-    while (at < text_.size()) {
-      const char c = text_[at];
-      const bool is_exponent = (c == '+' || c == '-') && (result_.ends_with("e") || result_.ends_with("E"));
-      if (!is_exponent && !is_name_part(c) && c != '.') break;
-      result_ += c;
-      ++at;
-    }
-    return at;
+  bool take(std::string_view sign) {
+    skip();
+    if (std::string_view(text_).substr(at_, sign.size()) != sign) return false;
+    at_ += sign.size();
+    skip();
+    return true;
   }
 
-  std::size_t name(std::size_t at) {
-    std::size_t end = at;
-    while (end < text_.size() && is_name_part(text_[end])) ++end;
-    const std::string name = text_.substr(at, end - at);
-    while (end < text_.size() && text_[end] == ' ') ++end;
-    const char next = end < text_.size() ? text_[end] : '\0';
-    if (name == "u") return input(end, next);
-    if (next == '(')
-      result_ += function(name);
+  [[noreturn]] void unexpected() const {
+    if (at_ >= text_.size()) throw Untranslated("its formula ends too early");
+    throw Untranslated(fmt::format("its formula has '{}', which is not translated there", text_[at_]));
+  }
+
+  /// Returns the operator at the present place; nullptr if there is none.
+  const Operator* next_operator() const {
+    const auto in = [&](const auto& all) {
+      const auto found = std::ranges::find_if(
+          all, [&](const Operator& op) { return std::string_view(text_).substr(at_).starts_with(op.sign); });
+      return found == std::end(all) ? nullptr : &*found;
+    };
+    const Operator* truth = is_matlab_ ? in(truths_of_matlab) : in(truths_of_fcn);
+    if (truth) return truth;
+    const Operator* order = in(orders);
+    return order ? order : in(sums_and_products);
+  }
+
+  Piece binary(int level) {
+    if (level == level_of_signs) return with_sign();
+    Piece left = binary(level + 1);
+    for (skip();; skip()) {
+      const Operator* op = next_operator();
+      if (!op || op->level != level) return left;
+      at_ += op->sign.size();
+      left = joined(left, *op, binary(level + 1));
+    }
+  }
+
+  /// Reads signs before a power, or before its exponent.
+  Piece with_sign(bool is_exponent = false) {
+    if (++depth_ > 200) throw Untranslated("its formula is nested too deeply");
+    Piece piece;
+    if (take("-")) {
+      const Piece inner = with_sign(is_exponent);
+      piece = {"-" + in_brackets(inner, inner.strength < atom), 8};
+    } else if (take("+")) {
+      piece = with_sign(is_exponent);
+    } else if (take("~") || take("!")) {
+      const Piece inner = with_sign(is_exponent);
+      piece = {"!" + in_brackets(inner, inner.strength < atom), 2};
+    } else {
+      piece = is_exponent ? operand() : power();
+    }
+    --depth_;
+    return piece;
+  }
+
+  /// Reads a^b^c, which is (a^b)^c.
+  Piece power() {
+    Piece base = operand();
+    while (take(".^") || take("^")) {
+      const Piece exponent = with_sign(true);
+      base = {in_brackets(base, base.strength < atom) + "^" + in_brackets(exponent, exponent.strength < atom),
+              9};
+    }
+    return base;
+  }
+
+  /// Reads a number, a name, a call or brackets. A transposed number is the number.
+  Piece operand() {
+    skip();
+    Piece piece;
+    if (is_name_start(peek()))
+      piece.text = name();
+    else if (is_digit(peek()) || (peek() == '.' && is_digit(peek(1))))
+      piece.text = number();
+    else if (take("("))
+      piece = in_round();
     else
-      result_ += name == "pi" ? name : constant(name);
-    return end;
+      unexpected();
+    while (is_matlab_ && (take(".'") || take("'"))) continue;
+    return piece;
+  }
+
+  Piece in_round() {
+    Piece piece = binary(1);
+    if (!take(")")) throw Untranslated("its formula has a bracket that is not closed");
+    return piece;
+  }
+
+  static bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+  static bool is_name_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+  std::string number() {
+    const std::size_t start = at_;
+    while (is_digit(peek())) ++at_;
+    if (peek() == '.' && std::string_view("*/^'").find(peek(1)) == std::string_view::npos) ++at_;
+    while (is_digit(peek())) ++at_;
+    const std::size_t sign = peek(1) == '+' || peek(1) == '-' ? 2 : 1;
+    if ((peek() == 'e' || peek() == 'E') && is_digit(peek(sign))) at_ += sign;
+    while (is_digit(peek())) ++at_;
+    if (is_name_part(peek())) unexpected();
+    return text_.substr(start, at_ - start);
+  }
+
+  std::string name() {
+    const std::size_t start = at_;
+    while (is_name_part(peek())) ++at_;
+    const std::string name = text_.substr(start, at_ - start);
+    skip();
+    if (name == "u") return input();
+    if (peek() == '(') return call(name);
+    return name == "pi" ? name : constant(name);
+  }
+
+  std::string call(const std::string& name) {
+    std::string text = function(name) + "(";
+    take("(");
+    text += binary(1).text;
+    while (take(",")) text += ", " + binary(1).text;
+    if (!take(")")) throw Untranslated("its formula has a bracket that is not closed");
+    return text + ")";
   }
 
   std::string constant(const std::string& name) const {
     const Value value = write_.model().evaluate(write_.instance(), name);
     if (value.is_missing && write_.block().type == "MATLABFcn")
       throw Untranslated("its formula has the name " + name);
-    return in_formula(value.cells.at(0));
+    if (!value.is_scalar()) throw Untranslated("its formula has " + name + ", which is no single number");
+    return in_formula(value.cells[0]);
   }
 
   static std::string function(const std::string& name) {
@@ -150,18 +284,22 @@ class Formula {
     throw Untranslated(fmt::format("its formula has the function {}", name));
   }
 
-  std::size_t input(std::size_t end, char next) {
+  std::string input() {
     int element = 1;
-    if (next == '(' || next == '[') {
-      const std::size_t close = text_.find(next == '(' ? ')' : ']', end);
+    if (peek() == '(' || peek() == '[') {
+      const std::size_t close = text_.find(peek() == '(' ? ')' : ']', at_);
       if (close == text_.npos) throw Untranslated("its formula has a bracket that is not closed");
-      element = std::atoi(text_.substr(end + 1, close - end - 1).c_str());
-      end = close + 1;
+      const std::string index = text_.substr(at_ + 1, close - at_ - 1);
+      if (index.find_first_not_of("0123456789 ") != index.npos)
+        throw Untranslated("its formula has an element that is no number");
+      element = std::atoi(index.c_str());
+      at_ = close + 1;
+    } else if (is_matlab_ && write_.width(1) > 1) {
+      throw Untranslated("its formula has the whole vector u");
     }
     if (element < 1 || element > 1000) throw Untranslated("its formula has an element that is no number");
     most_ = std::max(most_, element);
-    result_ += fmt::format("u{}", element);
-    return end;
+    return fmt::format("u{}", element);
   }
 
   /// Returns the elements of the input: the wires of a Mux of numbers, or elements by their index.
@@ -174,8 +312,10 @@ class Formula {
   }
 
   BlockWriter& write_;
-  std::string text_, result_;
-  int most_ = 0;
+  bool is_matlab_;
+  std::string text_;
+  std::size_t at_ = 0;
+  int most_ = 0, depth_ = 0;
 };
 
 /// Returns the formula of an Interpreted MATLAB Function: "sin(u)" of the name alone.

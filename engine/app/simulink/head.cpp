@@ -7,6 +7,8 @@
 #include <map>
 #include <numeric>
 
+#include "engine/app/simulink/plain_text.hpp"
+
 namespace stepwire::simulink {
 
 namespace {
@@ -113,10 +115,16 @@ Head read_head(FlatModel& model, std::vector<Note>& notes) {
   read_solver(model, head, notes);
   const double start = number_of(model, "StartTime", "0", notes);
   if (start != 0.0)
-    notes.push_back({NoteKind::differs, "", fmt::format("begins at {} s in Simulink, and at 0 here", start)});
+    notes.push_back(
+        {NoteKind::deviates, "", fmt::format("begins at {} s in Simulink, and at 0 here", start)});
+  if (setting(model, "LoadInitialState", "off") == "on")
+    notes.push_back({NoteKind::deviates, "",
+                     fmt::format("begins with the states of '{}' in Simulink, and with the initial values of "
+                                 "its blocks here",
+                                 on_one_line(setting(model, "InitialState", "xInitial")))});
   head.stop = number_of(model, "StopTime", "10", notes);
   if (!std::isfinite(head.stop) || head.stop <= 0.0) {
-    notes.push_back({NoteKind::differs, "",
+    notes.push_back({NoteKind::deviates, "",
                      fmt::format("has the stop time {}; 10 s is written", setting(model, "StopTime", "10"))});
     head.stop = 10.0;
   }

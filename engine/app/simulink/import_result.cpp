@@ -10,6 +10,8 @@ const char* word_of(NoteKind kind) {
       return "placeholder";
     case NoteKind::missing:
       return "missing";
+    case NoteKind::deviates:
+      return "deviates";
     case NoteKind::renamed:
       return "renamed";
     case NoteKind::fault:
@@ -24,14 +26,16 @@ std::size_t ImportResult::count(NoteKind kind) const {
 }
 
 bool ImportResult::is_unfinished() const {
-  return count(NoteKind::placeholder) + count(NoteKind::missing) + count(NoteKind::fault) > 0;
+  return count(NoteKind::placeholder) + count(NoteKind::missing) + count(NoteKind::deviates) +
+             count(NoteKind::fault) >
+         0;
 }
 
 static void declare(result::Record<Note>& is) {
   is.named("ImportNote", "One sentence on a difference between the model and the written diagram.");
   is.field(
       "kind", [](const Note& of) { return word_of(of.kind); },
-      "placeholder, missing, differs, renamed or fault");
+      "placeholder, missing, deviates, differs, renamed or fault");
   is.field("block", &Note::block, "path of the block in the model; empty for the model itself");
   is.field("sentence", &Note::sentence, "what is not translated, and what to do");
 }
@@ -44,7 +48,7 @@ void declare(result::Record<ImportResult>& is) {
   is.field("translated", &ImportResult::translated, "blocks with a counterpart");
   is.field(
       "finished", [](const ImportResult& of) { return !of.is_unfinished(); },
-      "false where placeholders, missing values or faults remain");
+      "false where placeholders, missing values, deviations or faults remain");
   is.field("notes", &ImportResult::notes, "what differs from the model");
 }
 

@@ -12,7 +12,8 @@ namespace stepwire::simulink {
 enum class NoteKind {
   placeholder,  ///< a block without counterpart
   missing,      ///< a value that is not in the file
-  differs,      ///< another meaning
+  deviates,     ///< the run differs from that of the model
+  differs,      ///< another form or method, or what is not in the file
   renamed,      ///< a name that is no name here
   fault         ///< a fault of the written diagram
 };
@@ -36,7 +37,7 @@ struct ImportResult {
 
   /// Returns the number of sentences of a kind.
   std::size_t count(NoteKind kind) const;
-  /// True where the diagram still needs work: placeholders, missing values, faults.
+  /// True where the diagram still needs work: placeholders, missing values, deviations, faults.
   bool is_unfinished() const;
 };
 

@@ -32,7 +32,7 @@ void switch_of_three(BlockWriter& write) {
 void manual_switch(BlockWriter& write) {
   const bool is_first = write.text("sw", write.text("CurrentSetting", "1")) == "1";
   write.output(1, write.source(is_first ? 1 : 2));
-  write.note(fmt::format("stays at its input {}", is_first ? 1 : 2));
+  write.deviates(fmt::format("stays at its input {}", is_first ? 1 : 2));
 }
 
 void many_switch(BlockWriter& write) {

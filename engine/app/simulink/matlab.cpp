@@ -155,12 +155,18 @@ class Parser {
         return left;
       }
       skip();
-      const bool negative = take("-");
-      Value right = postfix();
-      if (negative) right = negated(right);
+      Value right = exponent();
       if (!by_element && !left.is_scalar()) fail("has a power of a matrix");
       left = each('^', left, right);
     }
+  }
+
+  /// Reads an exponent with its signs: 2^-1.
+  Value exponent() {
+    const Depth depth(*this);
+    skip();
+    if (take("-")) return negated(exponent());
+    return take("+") ? exponent() : postfix();
   }
 
   static Value negated(const Value& value) {
@@ -200,6 +206,8 @@ class Parser {
     const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
     if (error != std::errc()) fail("has a number that cannot be read");
     at_ = static_cast<std::size_t>(end - text_.data());
+    const bool is_elementwise = text_[at_ - 1] == '.' && (peek() == '*' || peek() == '/' || peek() == '^');
+    if (is_elementwise) --at_;  // 1./x is 1 ./ x
     if (peek() == 'i' || peek() == 'j') fail("is complex");
     return Value::of(value);
   }

@@ -30,6 +30,16 @@ std::string parameter_comments(const Block& block) {
   return text;
 }
 
+/// Returns the connected ports of a subsystem that control it, each with the name of an input. `enable` and
+/// `trigger` are keys of a part, so that these names end in `_port`.
+std::vector<std::pair<std::string, std::string>> control_ports(const BlockWriter& write) {
+  std::vector<std::pair<std::string, std::string>> ports;
+  for (const char* port : {"Reset", "reset", "enable", "trigger", "ifaction"})
+    if (write.instance().sources.contains(write.block().sid + "#" + port))
+      ports.emplace_back(port, lower_case(port) == "reset" ? "Reset" : std::string(port) + "_port");
+  return ports;
+}
+
 /// Adds the greatest element that a text reads of each output: of "TOKEN.3".
 void add_read(const std::string& text, ElementsRead& read) {
   for (std::size_t at = 0; (at = text.find("\x02.", at)) != text.npos; at += 2) {
@@ -53,6 +63,7 @@ void use_placeholder(BlockWriter& write, const std::string& reference) {
   const int inputs = write.inputs(), outputs = write.outputs();
   write.make_part(reference);
   for (int i = 1; i <= inputs; ++i) write.key(fmt::format("u{}", i), write.source(i));
+  for (const auto& [port, input] : control_ports(write)) write.key(input, write.source(port));
   for (int i = 1; outputs > 1 && i <= outputs; ++i) write.output(i, fmt::format("{}.y{}", write.name(), i));
 }
 
@@ -79,6 +90,7 @@ std::string placeholder_text(const BlockWriter& write, const std::string& reason
     const Value zeros = Value::matrix(1, width, 0.0);
     add(blocks, nothing, map_of({{"block", word("Constant")}, {"value", value_node(zeros)}}));
   }
+  for (const auto& [port, input] : control_ports(write)) add(in, input, yaml::Node{});
   if (!in.entries.empty()) add(root, "inputs", std::move(in));
   if (!out.entries.empty()) add(root, "outputs", std::move(out));
   add(blocks, fmt::format("write_the_blocks_of_{}_here", valid_name(write.block().name)),

@@ -146,12 +146,31 @@ void conversion(BlockWriter& write) {
   }
   passes(write);
   if (type != "double" && !type.starts_with("Inherit"))
-    write.note(fmt::format("converts to {} in Simulink, and passes its signal on here", type));
+    write.deviates(fmt::format("converts to {} in Simulink, and passes its signal on here", type));
+}
+
+/// True where a block leads to initial values of integrators alone, which take its value.
+bool leads_to_initial_values(const BlockWriter& write) {
+  const Instance& in = write.instance();
+  std::size_t count = 0;
+  for (const auto& [port, source] : in.sources) {
+    const auto from = in.by_sid.find(source.sid);
+    if (from == in.by_sid.end() || from->second != &write.block()) continue;
+    const auto sink = in.by_sid.find(port.substr(0, port.rfind('#')));
+    if (sink == in.by_sid.end()) return false;
+    const Block& block = *sink->second;
+    const bool is_integrator = block.type == "Integrator" || block.type == "DiscreteIntegrator";
+    const int input = initial_input(write.model().model(), block);
+    if (!is_integrator || input == 0 || !port.ends_with(fmt::format("#in:{}", input))) return false;
+    ++count;
+  }
+  return count > 0;
 }
 
 void initial_condition(BlockWriter& write) {
   write.output(1, write.source());
-  write.note("shows its value at the first step in Simulink, and its input here");
+  if (leads_to_initial_values(write)) return;
+  write.deviates("shows its value at the first step in Simulink, and its input here");
 }
 
 void constraint(BlockWriter& write) {
@@ -173,7 +192,8 @@ std::vector<Translation> routing_translations() {
           {"SignalConversion", "nothing: the wire itself", passes},
           {"SignalSpecification", "nothing: the wire itself", passes},
           {"DataTypeConversion", "nothing, or `Expression` for truths", conversion},
-          {"InitialCondition", "the wire itself, and a note", initial_condition},
+          {"InitialCondition", "the wire itself, and a note; before an initial value its `initial`",
+           initial_condition},
           {"AlgebraicConstraint", "`InitialGuess` behind a `Sum`", constraint}};
 }
 

@@ -104,7 +104,7 @@ void chirp(BlockWriter& write) {
       .key("frequency", "f1", "0.1")
       .key("target_time", "T", "100")
       .key("target_frequency", "f2", "1");
-  write.note("its frequency goes on beyond the target time in Simulink, and stays here");
+  write.deviates("its frequency goes on beyond the target time in Simulink, and stays here");
 }
 
 void clock(BlockWriter& write) {
@@ -123,9 +123,9 @@ std::string seed_of(const BlockWriter& write, const char* name, const char* othe
   try {
     seed = std::abs(std::round(write.known(name, otherwise)));
   } catch (const Untranslated& reason) {
-    write.note(std::string(reason.what()) + "; the seed 1 is written");
+    write.deviates(std::string(reason.what()) + "; the seed 1 is written");
   }
-  write.note("its seed gives another sequence of numbers than in Simulink");
+  write.deviates("its seed gives another sequence of numbers than in Simulink");
   return fmt::format("{}", seed);
 }
 

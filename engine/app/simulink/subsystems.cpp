@@ -25,13 +25,19 @@ bool resets_outputs(BlockWriter& write, Unit& unit) {
     ++count;
     if (text_of(model, block, "OutputWhenDisabled", "held") == "reset") ++reset;
     const std::string initial = text_of(model, block, "InitialOutput", "[]");
+    const bool has_initial = initial != "[]" && !initial.empty();
+    if (has_initial && text_of(model, block, "OutputWhenDisabled", "held") != "reset")
+      write.deviates(
+          fmt::format("its output {} is {} before its first run in Simulink, and here what its "
+                      "blocks begin with",
+                      on_one_line(block.name), on_one_line(initial)));
     const auto port = static_cast<std::size_t>(port_number(model, block));
     if (port > 1000) continue;
     if (unit.safe.size() < port) unit.safe.resize(port);
-    if (initial != "[]" && !initial.empty() && initial != "0") unit.safe[port - 1] = initial;
+    if (has_initial && initial != "0") unit.safe[port - 1] = initial;
   }
   if (reset != 0 && reset != count)
-    write.note("holds some outputs while it is off and resets others; here all of them are reset");
+    write.deviates("holds some outputs while it is off and resets others; here all of them are reset");
   return reset != 0;
 }
 

@@ -128,6 +128,43 @@ TEST_CASE("functions of Simulink have their formulas") {
         near(0.1 * std::exp(-2.0)));
 }
 
+TEST_CASE("formulas have the precedence of their language") {
+  const auto matlab = [](const std::string& text) {
+    return through(block("MATLABFcn", "F", 9, {{"MATLABFcn", text}}), {number(1, "2")});
+  };
+  const auto fcn = [](const std::string& text) {
+    return through(block("Fcn", "F", 9, {{"Expr", text}}), {number(1, "2")});
+  };
+  for (const auto& value : {matlab("u^2^3"), fcn("u^2^3"), matlab("u.^2.^3"), fcn("u(1) ^ 2 ^ 3")})
+    CHECK(value == near(64.0));
+  CHECK(matlab("-u^2") == near(-4.0));
+  CHECK(fcn("-u^2") == near(-4.0));
+  CHECK(matlab("u^-1") == near(0.5));
+  CHECK(matlab("u^-1^2") == near(0.25));
+  CHECK(matlab("--u") == near(2.0));
+  CHECK(matlab("3 - -u") == near(5.0));
+  CHECK(matlab("2.^u'") == near(4.0));
+  CHECK(matlab("8/u/u - 1 - 2") == near(-1.0));
+  CHECK(matlab("2*-u^2") == near(-8.0));
+  CHECK(matlab("8/(u*2)") == near(2.0));
+  CHECK(matlab("~u == 0") == near(1.0));  // (~u) == 0
+  CHECK(matlab("-~u") == near(0.0));
+  CHECK(matlab("3 > u > 1") == near(0.0));   // (3 > 2) > 1
+  CHECK(matlab("1 == u < 3") == near(1.0));  // (1 == 2) < 3; in C 1 == (2 < 3) is 1 as well
+  CHECK(matlab("5 == u < 0") == near(0.0));
+  CHECK(matlab("0 == u > 1") == near(0.0));
+  CHECK(matlab("2 == u < 1") == near(0.0));      // (2 == 2) < 1
+  CHECK(fcn("0 == u < 1") == near(1.0));         // 0 == (2 < 1)
+  CHECK(matlab("u > 1 | 1 && 0") == near(0.0));  // (1 | 1) && 0
+  CHECK(matlab("1 || u > 1 && 0") == near(1.0));
+  CHECK(matlab("1 | 1 & 0") == near(1.0));
+  CHECK(fcn("1 || 1 && 0") == near(1.0));
+  CHECK_THAT(Imported(ModelText{number(1, "[1 2]") + block("MATLABFcn", "F", 9, {{"MATLABFcn", "2*u"}}) +
+                                line("1#out:1", {"9#in:1"})})
+                 .notes(NoteKind::placeholder),
+             Catch::Contains("its formula has the whole vector u"));
+}
+
 TEST_CASE("lookup tables go on beyond their points or hold, as the model says") {
   const P points{
       {"NumberOfTableDimensions", "1"}, {"BreakpointsForDimension1", "[0 1 2]"}, {"Table", "[0 10 40]"}};

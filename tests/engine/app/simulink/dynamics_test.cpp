@@ -54,6 +54,48 @@ TEST_CASE("an integrator is reset as its model says") {
   CHECK(Imported(ModelText{system}).last("y") == near(0.4));
 }
 
+TEST_CASE("a block IC gives an integrator its initial value, and its input what a reset goes to") {
+  CHECK(through(block("Integrator", "I", 9, {{"InitialConditionSource", "external"}}),
+                {number(1, "3"), block("InitialCondition", "IC", 2, {{"Value", "4"}})}) == near(7.0));
+  // A ball that is thrown up at 15 m/s from 10 m, and leaves the floor with 0.8 of its speed
+  const std::string ball =
+      number(1, "-9.81") +
+      block("Integrator", "v", 2,
+            {{"ExternalReset", "falling"}, {"InitialConditionSource", "external"}, {"ShowStatePort", "on"}}) +
+      block("Integrator", "x", 3,
+            {{"InitialCondition", "10"}, {"LimitOutput", "on"}, {"LowerSaturationLimit", "0"}}) +
+      block("Gain", "bounce", 4, {{"Gain", "-0.8"}}) + block("InitialCondition", "IC", 5, {{"Value", "15"}}) +
+      block("ToWorkspace", "W", 10, {{"VariableName", "y"}}) + line("1#out:1", {"2#in:1"}) +
+      line("2#out:1", {"3#in:1"}) + line("2#state", {"4#in:1"}) + line("4#out:1", {"5#in:1"}) +
+      line("5#out:1", {"2#in:3"}) + line("3#out:1", {"2#in:2", "10#in:1"});
+  ModelText model{ball};
+  model.solver = {{"Solver", "ode45"}, {"StopTime", "5"}, {"RelTol", "1e-9"}};
+  const Imported imported(model);
+  CHECK_FALSE(imported.result.is_unfinished());
+  const double g = 9.81, speed = std::sqrt(15.0 * 15.0 + 2.0 * g * 10.0), flight = 5.0 - (15.0 + speed) / g;
+  CHECK(imported.last("y") == Approx(0.8 * speed * flight - 0.5 * g * flight * flight).epsilon(1e-7));
+}
+
+TEST_CASE("a level resets while it is not zero, also below zero") {
+  const auto end = [](const std::string& integrator, const P& step) {
+    const std::string system = number(1, "1") + block("Step", "Step", 2, step) + integrator +
+                               block("ToWorkspace", "W", 10, {{"VariableName", "y"}}) +
+                               line("1#out:1", {"9#in:1"}) + line("2#out:1", {"9#in:2"}) +
+                               line("9#out:1", {"10#in:1"});
+    return Imported(ModelText{system}).last("y");
+  };
+  const std::string continuous =
+      block("Integrator", "I", 9, {{"ExternalReset", "level"}, {"InitialCondition", "3"}});
+  CHECK(end(continuous, {{"Time", "0.5"}, {"Before", "-1"}, {"After", "0"}}) == near(3.5));
+  CHECK(end(continuous, {{"Time", "0.5"}, {"Before", "2"}, {"After", "0"}}) == near(3.5));
+  CHECK(end(continuous, {{"Time", "0.5"}, {"Before", "0"}, {"After", "-1"}}) == near(3.0));
+  // The sample at 0.5 s resets as well, so that half a second remains.
+  const std::string discrete =
+      block("DiscreteIntegrator", "I", 9,
+            {{"ExternalReset", "level"}, {"InitialCondition", "3"}, {"SampleTime", "0.1"}});
+  CHECK(end(discrete, {{"Time", "0.5"}, {"Before", "-1"}, {"After", "0"}}) == near(3.5));
+}
+
 TEST_CASE("discrete blocks of Simulink act at their sample times") {
   const P tenth{{"SampleTime", "0.1"}};
   const auto with = [&](P parameters) {

@@ -27,6 +27,9 @@ TEST_CASE("MATLAB's operators have its precedence") {
   CHECK(numbers("-2^2")[0] == -4.0);
   CHECK(numbers("2^3^2")[0] == 64.0);
   CHECK(numbers("2^-1")[0] == 0.5);
+  CHECK(numbers("2^--1")[0] == 2.0);
+  CHECK(numbers("2^-1^2")[0] == 0.25);
+  CHECK(numbers("1./[1 2]") == std::vector{1.0, 0.5});
   CHECK(numbers("1 - 2 - 3")[0] == -4.0);
   CHECK(numbers("8/2/2")[0] == 2.0);
   CHECK(numbers("-(1 + 2)*3")[0] == -9.0);

@@ -273,10 +273,10 @@ TEST_CASE("a parameter that changes behaviour and has no counterpart is said, ne
     return Imported(ModelText{number(1, "1") + one + sink(10) + line("1#out:1", {"9#in:1"}) +
                               line("9#out:1", {"10#in:1"})});
   };
-  CHECK_THAT(notes(block("Gain", "G", 9, {{"OutDataTypeStr", "int16"}})).notes(NoteKind::differs),
+  CHECK_THAT(notes(block("Gain", "G", 9, {{"OutDataTypeStr", "int16"}})).notes(NoteKind::deviates),
              Contains("its data type is int16"));
   CHECK_THAT(
-      notes(block("DataTypeConversion", "C", 9, {{"OutDataTypeStr", "uint8"}})).notes(NoteKind::differs),
+      notes(block("DataTypeConversion", "C", 9, {{"OutDataTypeStr", "uint8"}})).notes(NoteKind::deviates),
       Contains("converts to uint8"));
   CHECK_THAT(notes(block("Integrator", "I", 9, {{"WrapState", "on"}})).notes(NoteKind::placeholder),
              Contains("it wraps its state"));
@@ -285,8 +285,72 @@ TEST_CASE("a parameter that changes behaviour and has no counterpart is said, ne
       Contains("it interpolates by Cubic spline"));
   CHECK_THAT(notes(block("Gain", "G", 9, {{"Gain", "myfun(2)"}})).notes(NoteKind::placeholder),
              Contains("its parameter Gain, 'myfun(2)'"));
-  CHECK_THAT(notes(block("RandomNumber", "R", 9)).notes(NoteKind::differs),
+  CHECK_THAT(notes(block("RandomNumber", "R", 9)).notes(NoteKind::deviates),
              Contains("another sequence of numbers"));
+  CHECK_THAT(notes(block("Gain", "G", 9, {{"ParamDataTypeStr", "fixdt(1,8,4)"}})).notes(NoteKind::deviates),
+             Contains("its ParamDataTypeStr is fixdt(1,8,4), and that is of double precision here"));
+  CHECK_THAT(notes(block("Gain", "G", 9, {{"OutDataTypeStr", "fixdt(1,16,2)"}})).notes(NoteKind::deviates),
+             Contains("its data type is fixdt(1,16,2)"));
+  CHECK_THAT(
+      notes(block("Trigonometry", "T", 9, {{"ApproximationMethod", "CORDIC"}})).notes(NoteKind::deviates),
+      Contains("its approximation is CORDIC in Simulink, and its function is exact here"));
+  CHECK(notes(block("Trigonometry", "T", 9, {{"ApproximationMethod", "None"}}))
+            .notes(NoteKind::deviates)
+            .empty());
+}
+
+TEST_CASE("a run that begins or ends elsewhere is said, and the import is not finished") {
+  const auto imported = [](const P& solver) {
+    ModelText model{number(1, "1") + block("Integrator", "I", 9) + line("1#out:1", {"9#in:1"})};
+    for (const auto& [name, text] : solver) model.solver[name] = text;
+    return Imported(model);
+  };
+  CHECK_FALSE(imported({}).result.is_unfinished());
+  CHECK_FALSE(imported({{"LoadInitialState", "off"}, {"InitialState", "x0"}}).result.is_unfinished());
+  const auto says = [&](const P& solver, const std::string& sentence) {
+    const Imported one = imported(solver);
+    CHECK(one.result.is_unfinished());
+    CHECK_THAT(one.notes(NoteKind::deviates), Contains(sentence));
+  };
+  says({{"LoadInitialState", "on"}, {"InitialState", "[4]"}}, "begins with the states of '[4]' in Simulink");
+  says({{"StopTime", "inf"}}, "has the stop time inf; 10 s is written");
+  says({{"StartTime", "0.5"}}, "begins at 0.5 s in Simulink, and at 0 here");
+}
+
+TEST_CASE("a block that is commented through makes another run, one that is commented out does not") {
+  const auto imported = [](const char* commented) {
+    return Imported(ModelText{number(1, "1") + block("Gain", "G", 9, {{"Commented", commented}}) +
+                              line("1#out:1", {"9#in:1"})});
+  };
+  CHECK_THAT(imported("through").notes(NoteKind::deviates), Contains("is commented through in Simulink"));
+  CHECK_FALSE(imported("on").result.is_unfinished());
+}
+
+TEST_CASE("the output of a subsystem before its first run is said where the model gives it") {
+  const auto imported = [](const P& outport) {
+    const std::string inside = block("EnablePort", "Enable", 20) + number(22, "2") +
+                               block("Outport", "Out1", 23, outport) + line("22#out:1", {"23#in:1"});
+    return Imported(ModelText{block("Step", "Step", 2, {{"Time", "0.5"}}) + subsystem("S", 3, inside) +
+                              sink(4) + line("2#out:1", {"3#enable"}) + line("3#out:1", {"4#in:1"})});
+  };
+  const Imported given = imported({{"InitialOutput", "7"}});
+  CHECK_THAT(given.notes(NoteKind::deviates), Contains("S: its output Out1 is 7 before its first run"));
+  CHECK(given.result.is_unfinished());
+  CHECK_FALSE(imported({}).result.is_unfinished());
+  CHECK_FALSE(imported({{"InitialOutput", "[]"}}).result.is_unfinished());
+}
+
+TEST_CASE("the placeholder of a resettable subsystem has its port Reset") {
+  const std::string inside = block("ResetPort", "Reset", 20) + port("Inport", "In1", 21) +
+                             block("Integrator", "I", 22) + port("Outport", "Out1", 23) +
+                             line("21#out:1", {"22#in:1"}) + line("22#out:1", {"23#in:1"});
+  const Imported imported(ModelText{
+      number(1, "1") + block("Step", "Step", 2) +
+      block("SubSystem", "S", 3, {{"Ports", "[1, 1]"}}, "<System>" + inside + "</System>") + sink(4) +
+      line("1#out:1", {"3#in:1"}) + line("2#out:1", {"3#Reset"}) + line("3#out:1", {"4#in:1"})});
+  CHECK(imported.notes(NoteKind::fault).empty());
+  CHECK_THAT(imported.text(), Contains("S: {diagram: model-parts/S.yaml, u1: Constant1, Reset: Step}"));
+  CHECK_THAT(imported.part("S.yaml"), Contains("Reset:"));
 }
 
 }  // namespace stepwire::simulink
