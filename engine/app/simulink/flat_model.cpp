@@ -260,14 +260,16 @@ std::string FlatModel::through_units(Unit& unit, Instance& goto_in, const Block&
 
 Value FlatModel::evaluate(Instance& in, const std::string& text) {
   evaluating_ = in.unit;
-  return evaluated(text, [&](const std::string& name) { return variable(in, name); });
+  return evaluated(
+      text, [&](const std::string& name, bool is_function) { return variable(in, name, is_function); });
 }
 
-Value FlatModel::variable(Instance& in, const std::string& name) {
+Value FlatModel::variable(Instance& in, const std::string& name, bool is_function) {
   for (Instance* at = &in; at->parent; at = at->parent) {
     if (!at->mask) read_mask(*at);
     if (const auto found = at->mask->find(name); found != at->mask->end()) return found->second;
   }
+  if (is_function && !workspace_.has(name)) return Value::missing();
   for (Unit* unit = evaluating_; unit; unit = unit->parent) unit->variables.insert(name);
   return workspace_.find(name);
 }
@@ -277,9 +279,9 @@ void FlatModel::read_mask(Instance& in) {
   std::map<std::string, Value, std::less<>> values;
   const auto read = [&](const std::string& name, const std::string& text, bool inside) {
     try {
-      Value value = evaluated(text, [&](const std::string& used) {
+      Value value = evaluated(text, [&](const std::string& used, bool is_function) {
         const auto found = values.find(used);
-        return inside && found != values.end() ? found->second : variable(*in.parent, used);
+        return inside && found != values.end() ? found->second : variable(*in.parent, used, is_function);
       });
       values[name] = std::move(value);
     } catch (const ValueError& error) {

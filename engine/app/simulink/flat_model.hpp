@@ -113,7 +113,7 @@ class FlatModel {
   std::string follow_inport(Instance& in, const Block& block, int depth);
   std::string through_units(Unit& unit, Instance& goto_in, const Block& goto_block, int depth);
   std::string follow_port(Instance& in, const Block& block, const std::string& port, int depth);
-  Value variable(Instance& in, const std::string& name);
+  Value variable(Instance& in, const std::string& name, bool is_function);
   void read_mask(Instance& in);
 
   const Model& model_;

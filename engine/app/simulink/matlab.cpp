@@ -230,8 +230,9 @@ class Parser {
     std::vector<Value> arguments;
     const bool has_arguments = peek() == '(';
     if (has_arguments) arguments = list();
-    if (is_function(name, arguments.size())) return called(name, arguments);
-    const Value value = variables_(name);
+    const bool can_be_called = is_function(name, arguments.size());
+    const Value value = variables_(name, can_be_called);
+    if (can_be_called && value.is_missing) return called(name, arguments);
     return has_arguments ? indexed(value, arguments) : value;
   }
 

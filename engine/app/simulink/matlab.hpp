@@ -11,8 +11,9 @@
 
 namespace stepwire::simulink {
 
-/// Function that returns the value of a variable; a missing one has `is_missing`, or throws ValueError.
-using Variables = std::function<Value(const std::string& name)>;
+/// Function that returns the value of a variable; a missing one has `is_missing`, or throws ValueError. With
+/// `is_function` the name is that of a function, too, unless a variable hides it.
+using Variables = std::function<Value(const std::string& name, bool is_function)>;
 
 /// Evaluates a MATLAB expression of real constants: numbers, variables, + - * / ^ and their elementwise
 /// forms,

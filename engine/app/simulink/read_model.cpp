@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -202,11 +203,29 @@ class Reader {
       block.output_names[number] = on_one_line(name->second);
   }
 
+  /// Returns the value of a mask's parameter. An evaluated choice is its number in the list, a box 1 or 0.
+  static std::string mask_value(const xml_node& parameter) {
+    const std::string text = parameter.child("Value").text().get(),
+                      type = parameter.attribute("Type").value();
+    if (std::string_view(parameter.attribute("Evaluate").value()) == "off") return text;
+    std::vector<std::string> choices;
+    for (const xml_node& option : parameter.child("TypeOptions").children("Option"))
+      choices.emplace_back(option.text().get());
+    return type == "checkbox" ? box_value(text) : type == "popup" ? number_of_choice(text, choices) : text;
+  }
+  static std::string box_value(const std::string& text) {
+    return text == "on" ? "1" : text == "off" ? "0" : text;
+  }
+  static std::string number_of_choice(const std::string& text, const std::vector<std::string>& choices) {
+    const auto found = std::ranges::find(choices, text);
+    return found == choices.end() ? text : std::to_string(found - choices.begin() + 1);
+  }
+
   static void read_mask(const xml_node& node, Block& block) {
     const xml_node mask = node.child("Mask");
     block.mask_code = mask.child("Initialization").text().get();
     for (const xml_node& parameter : mask.children("MaskParameter"))
-      block.mask.emplace_back(parameter.attribute("Name").value(), parameter.child("Value").text().get());
+      block.mask.emplace_back(parameter.attribute("Name").value(), mask_value(parameter));
     if (mask) return;
     read_old_mask(block);
   }
@@ -218,9 +237,19 @@ class Reader {
     if (block.texts.contains("MaskInitialization")) block.mask_code = block.texts["MaskInitialization"];
     if (names == block.texts.end() || values == block.texts.end()) return;
     const std::vector<std::string> variables = parts_of(names->second, ';'),
-                                   texts = parts_of(values->second, '|');
-    for (std::size_t i = 0; i < std::min(variables.size(), texts.size()); ++i)
-      block.mask.emplace_back(variables[i].substr(0, variables[i].find('=')), texts[i]);
+                                   texts = parts_of(values->second, '|'),
+                                   styles = parts_of(block.texts["MaskStyleString"], ',');
+    for (std::size_t i = 0; i < std::min(variables.size(), texts.size()); ++i) {
+      const std::string style = i < styles.size() ? styles[i] : "edit";
+      const bool is_evaluated = variables[i].find("=&") == std::string::npos;
+      block.mask.emplace_back(variables[i].substr(0, variables[i].find('=')),
+                              is_evaluated ? old_mask_value(texts[i], style) : texts[i]);
+    }
+  }
+  static std::string old_mask_value(const std::string& text, const std::string& style) {
+    if (style == "checkbox") return box_value(text);
+    if (!style.starts_with("popup(")) return text;
+    return number_of_choice(text, parts_of(style.substr(6, style.size() - 7), '|'));
   }
 
   void read_line(const xml_node& node, System& into) const {

@@ -32,6 +32,11 @@ struct Value {
 
   static Value of(double number) { return of(Cell{number}); }
   static Value of(Cell cell) { return {1, 1, {std::move(cell)}}; }
+  static Value missing() {
+    Value value;
+    value.is_missing = true;
+    return value;
+  }
   static Value matrix(std::size_t rows, std::size_t columns, double number);
 
   bool is_scalar() const { return rows == 1 && columns == 1; }

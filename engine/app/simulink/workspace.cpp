@@ -52,10 +52,16 @@ Value as_parameter(const std::string& name, const Workspace::Variable& variable)
 }  // namespace
 
 Workspace::Workspace(const Model& model, std::vector<std::string>& notes) {
-  for (const char* callback : {"PreLoadFcn", "PostLoadFcn", "InitFcn"}) {
+  constexpr const char* callbacks[] = {"PreLoadFcn", "PostLoadFcn", "InitFcn"};
+  const auto script_of = [&](const char* callback) {
     const auto script = model.texts.find(callback);
-    if (script != model.texts.end() && !script->second.empty()) run(script->second, callback, notes);
-  }
+    return script == model.texts.end() ? std::string() : script->second;
+  };
+  std::vector<std::string> others;
+  for (const char* callback : callbacks)
+    for (const Assignment& one : assignments_of(script_of(callback), others)) ++counts_[one.name];
+  for (const char* callback : callbacks)
+    if (const std::string script = script_of(callback); !script.empty()) run(script, callback, notes);
 }
 
 void Workspace::run(const std::string& script, const std::string& callback, std::vector<std::string>& notes) {
@@ -71,12 +77,10 @@ void Workspace::run(const std::string& script, const std::string& callback, std:
   }
   for (const std::string& statement : others)
     notes.push_back(fmt::format("{} has '{}', which is not executed", callback, statement.substr(0, 80)));
-  std::map<std::string, int> counts;
-  for (const Assignment& one : assignments) ++counts[one.name];
   for (const Assignment& one : assignments) {
     assign(one.name, one.expression, callback, notes);
     const auto made = variables_.find(one.name);
-    if (made != variables_.end()) made->second.is_plain = counts[one.name] > 1;
+    if (made != variables_.end()) made->second.is_plain = counts_[one.name] > 1;
   }
 }
 
@@ -84,8 +88,9 @@ void Workspace::assign(const std::string& name, const std::string& expression, c
                        std::vector<std::string>& notes) {
   std::set<std::string> reads;
   try {
-    Value value = evaluated(expression, [&](const std::string& read) {
+    Value value = evaluated(expression, [&](const std::string& read, bool is_function) {
       const auto found = variables_.find(read);
+      if (found == variables_.end() && is_function) return Value::missing();
       if (found == variables_.end()) throw ValueError(fmt::format("reads '{}', which has no value", read));
       if (!found->second.is_plain) reads.insert(read);
       return as_parameter(read, found->second);

@@ -18,6 +18,7 @@ class Workspace {
   /// each statement that is not one.
   Workspace(const Model& model, std::vector<std::string>& notes);
 
+  bool has(const std::string& name) const { return variables_.contains(name); }
   /// Returns a variable as a formula of its parameter. A name without a value becomes a missing variable.
   Value find(const std::string& name);
 
@@ -39,6 +40,7 @@ class Workspace {
   std::string free_name(const std::string& name);
 
   std::map<std::string, Variable> variables_;
+  std::map<std::string, int> counts_;  ///< assignments to each name, of all callbacks
   std::set<std::string> written_;
 };
 

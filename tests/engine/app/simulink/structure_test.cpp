@@ -108,6 +108,37 @@ TEST_CASE("variables whose names have another meaning here keep their values") {
   CHECK(Imported(model).last("y") == near(44.0));
 }
 
+TEST_CASE("a choice in a mask is its number in the list, and a box is 1 or 0, where they are evaluated") {
+  const auto with = [](const std::string& parameter) {
+    const std::string inside = port("Inport", "In1", 3) + block("Gain", "Gain", 4, {{"Gain", "k"}}) +
+                               port("Outport", "Out1", 5) + line("3#out:1", {"4#in:1"}) +
+                               line("4#out:1", {"5#in:1"});
+    return Imported(ModelText{number(1, "2") +
+                              subsystem("Choice", 2, inside, "<Mask>" + parameter + "</Mask>") + sink(6) +
+                              line("1#out:1", {"2#in:1"}) + line("2#out:1", {"6#in:1"})})
+        .last("y");
+  };
+  const std::string options =
+      "<TypeOptions><Option>10</Option><Option>3</Option><Option>5</Option></TypeOptions>";
+  CHECK(with("<MaskParameter Name=\"k\" Type=\"popup\"><Value>5</Value>" + options + "</MaskParameter>") ==
+        near(6.0));
+  CHECK(with("<MaskParameter Name=\"k\" Type=\"popup\" Evaluate=\"off\"><Value>5</Value>" + options +
+             "</MaskParameter>") == near(10.0));
+  CHECK(with("<MaskParameter Name=\"k\" Type=\"checkbox\"><Value>on</Value></MaskParameter>") == near(2.0));
+}
+
+TEST_CASE("a variable hides the function of its name") {
+  ModelText model{number(1, "eps + poly(1) + max(2)") + sink(2) + line("1#out:1", {"2#in:1"})};
+  model.callbacks = {{"PreLoadFcn", "eps = 0.1; poly = [7 8 9]; max = [8 9];"}};
+  CHECK(Imported(model).last("y") == near(0.1 + 7.0 + 9.0));
+}
+
+TEST_CASE("a later callback changes no variable that follows from the former value") {
+  ModelText model{number(1, "b + 10*a") + sink(2) + line("1#out:1", {"2#in:1"})};
+  model.callbacks = {{"PreLoadFcn", "a = 1; b = 2*a;"}, {"InitFcn", "a = 3*a;"}};
+  CHECK(Imported(model).last("y") == near(2.0 + 30.0));
+}
+
 TEST_CASE("a delay that is shorter than the usual step makes the step shorter") {
   ModelText model{time_source(1) + block("TransportDelay", "D", 2, {{"DelayTime", "0.003"}}) + sink(3) +
                   line("1#out:1", {"2#in:1"}) + line("2#out:1", {"3#in:1"})};
