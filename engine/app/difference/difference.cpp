@@ -268,10 +268,9 @@ class Comparer::OfFiles {
     const auto files = files_of_part(before, after);
     if (!files) return note_unfetched(before, after);
     const auto& [from, to] = *files;
-    if (comparer_.before_.read(from).root.canonical == comparer_.after_.read(to).root.canonical)
-      has_equal_parts_ = true;
-    else
-      parts_.emplace_back(from, to);
+    has_equal_parts_ =
+        comparer_.before_.read(from).root.canonical == comparer_.after_.read(to).root.canonical;
+    parts_.emplace_back(from, to);  // parts of equal files may differ
   }
 
   /// Adds a line for a part of two commits of a repository of which one is not fetched.
@@ -378,8 +377,7 @@ class Comparer::OfFiles {
 };
 
 void Comparer::compare(const std::string& before, const std::string& after, bool parts) {
-  if (std::ranges::count(done_, std::pair(before, after))) return;
-  done_.emplace_back(before, after);
+  if (!done_.emplace(before, after).second) return;
   const FileFacts old_facts = before_.read(before), new_facts = after_.read(after);
   OfFiles files(*this, old_facts, new_facts);
   std::vector<Change> changes = files.changes();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,8 +44,8 @@ class Comparer {
   Comparer(const Registry& registry, Texts& before, Texts& after)
       : before_texts_(before), after_texts_(after), before_(registry, before), after_(registry, after) {}
 
-  /// Adds the differences of two files. With `parts` the parts that both use are compared, too. A pair of
-  /// files is compared once.
+  /// Adds the differences of two files. With `parts` the parts that both use are compared, too, at every
+  /// depth. A pair of files is compared once.
   void compare(const std::string& before, const std::string& after, bool parts = true);
   /// Returns all differences.
   const Difference& result() const { return result_; }
@@ -54,7 +55,7 @@ class Comparer {
 
   Texts &before_texts_, &after_texts_;
   FactReader before_, after_;
-  std::vector<std::pair<std::string, std::string>> done_;
+  std::set<std::pair<std::string, std::string>> done_;
   Difference result_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "engine/app/difference/difference_text.hpp"
 #include "engine/view/drawing/draw.hpp"
@@ -22,16 +23,39 @@ const FileDifference* own_changes(const Difference& difference, const std::strin
   return found == difference.files.end() ? nullptr : &*found;
 }
 
-/// Returns the names of the parts of a file whose own files differ.
-std::vector<std::string> changed_parts(const Difference& difference, const std::string& file) {
-  Texts texts;
-  std::vector<std::string> names;
-  const yaml::Node* blocks = texts.read(file).document.root.find("blocks");
+/// Calls a function with the name and the file of each part that a file uses. Does nothing for a file that
+/// cannot be read.
+template <class Use>
+void each_part(Texts& texts, const std::string& file, Use use) {
+  const DiagramText* text = texts.find(file);
+  const yaml::Node* blocks = text ? text->document.root.find("blocks") : nullptr;
   for (std::size_t i = 0; blocks && i < blocks->entries.size(); ++i) {
     const yaml::Entry& block = blocks->entries[i];
     const yaml::Node* path = block.value.is_map() ? block.value.find("diagram") : nullptr;
-    if (path && own_changes(difference, texts.part_path(file, path->text))) names.push_back(block.key);
+    if (path) use(block.key, texts.part_path(file, path->text));
   }
+}
+
+/// True where a part differs, or a part within it. `seen` are the files that were looked at before.
+bool has_changed(const Difference& difference, Texts& texts, const std::string& file,
+                 std::set<std::string>& seen) {
+  if (!seen.insert(file).second) return false;
+  if (own_changes(difference, file)) return true;
+  bool found = false;
+  each_part(texts, file, [&](const std::string&, const std::string& part) {
+    found = found || has_changed(difference, texts, part, seen);
+  });
+  return found;
+}
+
+/// Returns the names of the parts of a file that differ, or that use a part that differs.
+std::vector<std::string> changed_parts(const Difference& difference, const std::string& file) {
+  Texts texts;
+  std::vector<std::string> names;
+  each_part(texts, file, [&](const std::string& name, const std::string& part) {
+    std::set<std::string> seen;
+    if (has_changed(difference, texts, part, seen)) names.push_back(name);
+  });
   return names;
 }
 

@@ -11,9 +11,11 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/app/difference/difference_text.hpp"
 #include "engine/app/difference/fact_edits.hpp"
 #include "engine/app/difference/matching.hpp"
 #include "engine/app/difference/order.hpp"
+#include "engine/app/difference/rearrange.hpp"
 #include "engine/app/difference/renames.hpp"
 #include "engine/app/difference/revision.hpp"
 #include "engine/app/difference/text_renames.hpp"
@@ -206,7 +208,23 @@ class Merge {
     read(base_, base);
     read(ours_, ours);
     read(theirs_, theirs);
+    const std::string changes_of_ours = changes_to(ours_), changes_of_theirs = changes_to(theirs_);
     equalise_names();
+    Merged result;
+    try {
+      result = merged(base, ours, theirs);
+    } catch (const language::EditRefused& refusal) {
+      result = {.text = ours, .conflicts = {}, .faults = {}};
+      if (!ours.ends_with('\n')) result.text += '\n';
+      result.conflicts.push_back({fmt::format("the whole file ({})", refusal.what()), "the common ancestor",
+                                  changes_of_ours, changes_of_theirs});
+    }
+    if (!result.conflicts.empty()) add_conflicts(result);
+    return result;
+  }
+
+ private:
+  Merged merged(const std::string& base, const std::string& ours, const std::string& theirs) {
     Merged merged;
     merged.conflicts = conflicts_;
     FactEdits edits(*ours_.facts.source, *theirs_.facts.source);
@@ -216,15 +234,21 @@ class Merge {
     const auto by_lines = merged.conflicts.empty() ? text_by_lines(wanted, base, ours, theirs) : std::nullopt;
     merged.text = by_lines ? *by_lines : edits.text();
     require_meaning(wanted, merged.text);
-    require_orders(merged.text);
-    if (merged.conflicts.empty())
-      merged.faults = new_faults(merged.text, ours);
-    else
-      add_conflicts(merged);
+    keep_orders(wanted, merged);
+    if (merged.conflicts.empty()) merged.faults = new_faults(merged.text, ours);
     return merged;
   }
 
- private:
+  /// Returns what one side changed, in lines that are joined.
+  std::string changes_to(Side& side) {
+    Comparer comparer(registry_, base_.texts, side.texts);
+    comparer.compare(path_, path_, false);
+    std::vector<std::string> lines;
+    for (const FileDifference& file : comparer.result().files)
+      for (const Change& change : file.changes) lines.push_back(line_of(change));
+    return lines.empty() ? "unchanged" : fmt::format("{}", fmt::join(lines, "; "));
+  }
+
   void read(Side& side, const std::string& text) {
     side.texts.give(path_, text);
     side.facts = FactReader(registry_, side.texts).read(path_);
@@ -374,16 +398,29 @@ class Merge {
       throw language::EditRefused("the merged text would not mean what both versions say; merge it by hand");
   }
 
-  /// Refuses a text without the order of the side that changed it. Facts leave out the order of maps.
-  void require_orders(const std::string& text) {
+  /// Returns the orders that a text does not have as one side changed them, or that both changed. Facts
+  /// leave out the order of maps.
+  std::vector<LostOrder> lost_orders_of(const std::string& text) const {
     Texts after = ours_.texts.with(path_, text);
     const auto orders = [](const DiagramText& of) { return orders_of(of.document.root); };
-    const std::vector<std::string> lost =
-        lost_orders(orders(*base_.facts.source), orders(*ours_.facts.source), orders(*theirs_.facts.source),
-                    orders(after.read(path_)));
-    if (!lost.empty())
-      throw language::EditRefused(fmt::format(
-          "the order of {} differs between the versions, and has a meaning; merge it by hand", lost.front()));
+    return lost_orders(orders(*base_.facts.source), orders(*ours_.facts.source),
+                       orders(*theirs_.facts.source), orders(after.read(path_)));
+  }
+
+  /// Gives the merged text the order of the side that changed it. Adds a conflict where both did.
+  void keep_orders(const Fact& wanted, Merged& merged) const {
+    for (const LostOrder& one : lost_orders_of(merged.text)) {
+      if (!one.wanted) continue;
+      Texts after = ours_.texts.with(path_, merged.text);
+      const std::string text = rearranged(after.read(path_), one.place, *one.wanted);
+      if (means(wanted, text)) merged.text = text;
+    }
+    const auto written = [](const std::vector<std::string>& names) {
+      return names.empty() ? std::string("absent") : fmt::format("{}", fmt::join(names, ", "));
+    };
+    for (const LostOrder& one : lost_orders_of(merged.text))
+      merged.conflicts.push_back(
+          {"order of " + one.place, written(one.base), written(one.ours), written(one.theirs)});
   }
 
   std::vector<yaml::Fault> faults_of(const std::string& text) const {

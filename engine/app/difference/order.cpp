@@ -32,6 +32,12 @@ class Walk {
     return std::move(orders_);
   }
 
+  /// Returns the node of a place of the last run; nullptr without one.
+  const yaml::Node* node(const std::string& place) const {
+    const auto found = nodes_.find(place);
+    return found == nodes_.end() ? nullptr : found->second;
+  }
+
  private:
   void walk(const yaml::Node& node, const std::string& path) {
     for (const yaml::Entry& entry : node.entries) {
@@ -49,13 +55,18 @@ class Walk {
     Names names;
     if (maps.contains(entry.key) && place.starts_with("blocks."))
       for (const yaml::Entry& one : entry.value.entries) names.push_back(one.key);
-    if (lists.contains(entry.key))
+    if (lists.contains(entry.key)) {
+      if (entry.value.is_map()) names.push_back(item_text(entry.value));
       for (const yaml::Node& one : entry.value.items) names.push_back(item_text(one));
-    if (names.size() > 1) orders_[place] = std::move(names);
+    }
+    if (names.empty()) return;
+    orders_[place] = std::move(names);
+    nodes_[place] = &entry.value;
   }
 
   const std::function<std::string(const std::string&)>& renamed_;
   Orders orders_;
+  std::map<std::string, const yaml::Node*> nodes_;
 };
 
 /// Returns the names that are in both lists, in the order of the first.
@@ -91,17 +102,53 @@ std::vector<ChangedOrder> changed_orders(const Orders& before, const Orders& aft
   return changes;
 }
 
-std::vector<std::string> lost_orders(const Orders& base, const Orders& ours, const Orders& theirs,
-                                     const Orders& merged) {
-  std::vector<std::string> lost;
+/// Returns the new name of each item where one side has the same items in the same places, some with another
+/// name; std::nullopt where the order is another.
+static std::optional<std::map<std::string, std::string>> new_labels(const Names& was, const Names& now) {
+  if (was.size() != now.size()) return std::nullopt;
+  std::map<std::string, std::string> labels;
+  for (std::size_t i = 0; i < was.size(); ++i) {
+    if (was[i] == now[i]) continue;
+    if (std::ranges::count(was, was[i]) > 1 || std::ranges::count(now, was[i]) ||
+        std::ranges::count(was, now[i]))
+      return std::nullopt;
+    labels[was[i]] = now[i];
+  }
+  return labels;
+}
+
+/// Returns the order that a merge of three versions has; std::nullopt where both sides changed it.
+static std::optional<Names> wanted_order(const Names& was, const Names& ours, const Names& theirs) {
+  if (ours == theirs || theirs == was) return ours;
+  if (ours == was) return theirs;
+  auto labels = new_labels(was, ours);
+  const bool is_of_ours = labels.has_value();
+  if (!is_of_ours) labels = new_labels(was, theirs);
+  if (!labels) return std::nullopt;
+  Names wanted = is_of_ours ? theirs : ours;
+  for (std::string& name : wanted)
+    if (const auto label = labels->find(name); label != labels->end()) name = label->second;
+  return wanted;
+}
+
+std::optional<OrderedNode> ordered_node(const yaml::Node& root, const std::string& place) {
+  const std::function<std::string(const std::string&)> renamed;
+  Walk walk(renamed);
+  Orders orders = walk.run(root);
+  const yaml::Node* node = walk.node(place);
+  return node ? std::optional(OrderedNode{node, std::move(orders[place])}) : std::nullopt;
+}
+
+std::vector<LostOrder> lost_orders(const Orders& base, const Orders& ours, const Orders& theirs,
+                                   const Orders& merged) {
+  std::vector<LostOrder> lost;
   std::set<std::string> places;
   for (const Orders* one : {&ours, &theirs})
     for (const auto& [place, names] : *one) places.insert(place);
   for (const std::string& place : places) {
-    const Names was = at(base, place), our = at(ours, place), their = at(theirs, place);
-    const bool both = our != was && their != was && our != their;
-    const Names& wanted = our != was ? our : their;
-    if (both || at(merged, place) != wanted) lost.push_back(place);
+    LostOrder one{place, at(base, place), at(ours, place), at(theirs, place), std::nullopt};
+    one.wanted = wanted_order(one.base, one.ours, one.theirs);
+    if (!one.wanted || at(merged, place) != *one.wanted) lost.push_back(std::move(one));
   }
   return lost;
 }
@@ -109,7 +156,7 @@ std::vector<std::string> lost_orders(const Orders& base, const Orders& ours, con
 std::string orders_text(const Orders& orders) {
   std::string text;
   for (const auto& [place, names] : orders)
-    text += fmt::format("order of {}: {}\n", place, fmt::join(names, ", "));
+    if (names.size() > 1) text += fmt::format("order of {}: {}\n", place, fmt::join(names, ", "));
   return text;
 }
 

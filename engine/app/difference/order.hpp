@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,10 +24,24 @@ struct ChangedOrder {
 };
 std::vector<ChangedOrder> changed_orders(const Orders& before, const Orders& after);
 
-/// Returns the places at which a merged file has not the order of the side that changed it, and those that
-/// both sides changed in different ways.
-std::vector<std::string> lost_orders(const Orders& base, const Orders& ours, const Orders& theirs,
-                                     const Orders& merged);
+/// Node of a file whose order has a meaning, with the names of its items.
+struct OrderedNode {
+  const yaml::Node* node = nullptr;
+  std::vector<std::string> names;
+};
+/// Returns the node of a place of orders_of(); std::nullopt where the file has none there.
+std::optional<OrderedNode> ordered_node(const yaml::Node& root, const std::string& place);
+
+/// Place at which a merged file has not the order that the versions say.
+struct LostOrder {
+  std::string place;
+  std::vector<std::string> base, ours, theirs;
+  /// The right order; std::nullopt where both sides changed it in different ways. An item that only has
+  /// another name, in its place, is no change of the order.
+  std::optional<std::vector<std::string>> wanted;
+};
+std::vector<LostOrder> lost_orders(const Orders& base, const Orders& ours, const Orders& theirs,
+                                   const Orders& merged);
 
 /// Returns the orders in sorted lines.
 std::string orders_text(const Orders& orders);

@@ -106,6 +106,29 @@ TEST_CASE("a part that both use is compared, with its own name") {
   CHECK(lines(found) == Lines{"~ spring.gain: = -k -> = -2*k"});
 }
 
+TEST_CASE("a part within a part is compared where the part itself is unchanged") {
+  const std::string outer =
+      "stepwire: 1\ntitle: a holder\nparameters: {k: 400 N/m}\ninputs: {x: {unit: m}}\n"
+      "outputs: {force: leaf}\nblocks:\n  leaf: {diagram: leaf.yaml, x: x, k: $k}\n";
+  const std::string user = with(user_text(), "leaf.yaml", "holder.yaml");
+  const GivenFiles old_parts{{"holder.yaml", outer}, {"leaf.yaml", part_yaml}};
+  const auto found_with = [&](const std::string& leaf) {
+    return compared(user, user, old_parts, {{"holder.yaml", outer}, {"leaf.yaml", leaf}});
+  };
+  const Difference found = found_with(with(part_yaml, "gain: = -k", "gain: = -2*k"));
+  REQUIRE(found.files.size() == 1);
+  CHECK(found.files.front().after == "leaf.yaml");
+  CHECK(lines(found) == Lines{"~ spring.gain: = -k -> = -2*k"});
+  CHECK(found_with(part_yaml).is_empty());
+}
+
+TEST_CASE("parts that use each other are compared once, whatever is wrong with them") {
+  const std::string around = with(part_yaml, "block: Gain, u: x, gain: = -k", "diagram: leaf.yaml, x: x");
+  const Difference found = compared(user_text(), user_text(), {{"leaf.yaml", around}},
+                                    {{"leaf.yaml", with(around, "400 N/m", "500 N/m")}});
+  CHECK(lines(found) == Lines{"~ k: 400 N/m -> 500 N/m (1.25 times)"});
+}
+
 TEST_CASE("a port or parameter of a part with another name is one line, and its users follow") {
   std::string renamed = with(with(part_yaml, "{k:", "{rate:"), "= -k", "= -rate");
   renamed = with(with(renamed, "{x:", "{place:"), "u: x", "u: place");

@@ -44,13 +44,54 @@ TEST_CASE("the order of states, transitions and figures is a difference") {
   CHECK_THAT(lines(chart, swapped).at(0), Contains("order of figure") || Contains("figure"));
 }
 
-TEST_CASE("a merge keeps an order that one side changes, or refuses") {
+TEST_CASE("a merge keeps an order that one side changes, and names both orders where both do") {
   const std::string other = with(chart, "stop: 1 s", "stop: 2 s");
   const Merged taken = merged(other, beginning_with(low));
   CHECK(taken.is_clean());
   CHECK(lines(with(beginning_with(low), "stop: 1 s", "stop: 2 s"), taken.text).empty());
-  CHECK_THROWS_WITH(merged(beginning_with(high), beginning_with(low)),
-                    Contains("blocks.m.states") && Contains("merge it by hand"));
+  const Merged both = merged(beginning_with(high), beginning_with(low));
+  REQUIRE(both.conflicts.size() == 1);
+  CHECK(both.conflicts[0].at == "order of blocks.m.states");
+  CHECK(both.conflicts[0].base == "off, low, high");
+  CHECK(both.conflicts[0].ours == "high, off, low");
+  CHECK(both.conflicts[0].theirs == "low, off, high");
+  CHECK_THAT(both.text, Contains("\nconflicts:\n") && Contains("theirs: \"low, off, high\""));
+}
+
+TEST_CASE("a figure that one side inserts stands before one that the other side edits") {
+  const std::string at = "  - {plot: lines, x: time in s, y: m.y}\n";
+  const std::string added = "  - {plot: lines, x: time in s, y: net}\n";
+  const std::string old_edge = "  # the answer\n" + at;
+  const std::string base = with(chart, at, old_edge);
+  for (const std::string edit : {"y: m.y, y_label: answer", "y: m.y, title: answer"}) {
+    const std::string edited = with(with(base, "y: m.y}", edit + "}"), "slope: 1", "slope: 3");
+    const std::string inserted = with(base, old_edge, added + old_edge);
+    const std::string right = with(edited, "  # the answer\n", added + "  # the answer\n");
+    for (const Merged& one : {merge(every_block(), "model.yaml", base, edited, inserted),
+                              merge(every_block(), "model.yaml", base, inserted, edited)}) {
+      CHECK(one.is_clean());
+      CHECK(one.text == right);
+    }
+  }
+}
+
+TEST_CASE("states that one side reorders keep the edits of the other side") {
+  const std::string edited = with(chart, "low: {output: 1", "low: {output: 3");
+  const Merged one = merged(edited, beginning_with(low)), other = merged(beginning_with(low), edited);
+  const std::string right = with(beginning_with(low), "low: {output: 1", "low: {output: 3");
+  CHECK(one.is_clean());
+  CHECK(one.text == right);
+  CHECK(other.text == right);
+}
+
+TEST_CASE("figures that both sides insert are a conflict of their order") {
+  const std::string edge = "  - {plot: lines, x: time in s, y: r}\n";
+  const std::string ours = with(chart, edge, "  - {plot: lines, x: time in s, y: net}\n" + edge),
+                    theirs = with(chart, edge, edge + "  - {plot: lines, x: time in s, y: r, title: T}\n");
+  const Merged result = merged(ours, theirs);
+  REQUIRE(result.conflicts.size() == 1);
+  CHECK(result.conflicts[0].at == "order of figure");
+  CHECK_THAT(result.text, Contains("title: T") && Contains("y: net"));
 }
 
 TEST_CASE("a version that is cut short is merged with its faults, which are told") {
