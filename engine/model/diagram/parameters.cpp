@@ -495,6 +495,15 @@ std::optional<WrittenValue> ValueReader::read_matrices(const std::vector<Written
                                                        const yaml::Node& node,
                                                        const std::string& subject) const {
   const expression::MatrixExpression& expression = parameters_.matrix_expression(node.text.substr(1));
+  const bool is_several =
+      std::ranges::any_of(values, [](const WrittenValue& value) { return !value.each.empty(); });
+  const std::size_t begin = node.text.find_first_not_of(" =");
+  if (is_several && node.text.substr(begin) == expression.variables().front()) return values.front();
+  if (is_several)
+    return refuse(node, subject,
+                  fmt::format("'{}' calculates with a list whose elements have several units; write each "
+                              "element, as [= 2*k.1, = 2*k.2]",
+                              node.text));
   std::vector<Eigen::MatrixXd> numbers;
   for (const WrittenValue& value : values) numbers.push_back(*matrix_of(value.value));
   const expression::Measure measure = expression.measure(measures_of(values));

@@ -134,6 +134,19 @@ TEST_CASE("a parameter of several units passes them on, whole and by element") {
   CHECK(last_row(text, {{"i.initial", "[0, 0]"}})[0] == Approx(1e-3));
 }
 
+TEST_CASE("a formula of a list of several units is refused, but for the list itself and its elements") {
+  const auto with = [](const std::string& formula) {
+    return "parameters: {k: [2 mm, 20 deg], d: '= " + formula + "'}\n" + pendulum +
+           "  c: {block: Constant, value: $d}\nrecord: [c]\n";
+  };
+  CHECK(units_of(with("k"), "c") == "m, rad");
+  CHECK(last_row(with("2*k.1"))[0] == Approx(4e-3));
+  for (const char* formula : {"k + 1", "2*k", "k*k.1", "norm(k)"}) {
+    INFO(formula);
+    CHECK_THAT(faults_of(with(formula)).at(0), Catch::Contains("a list whose elements have several units"));
+  }
+}
+
 TEST_CASE("a sweep of lists of several units runs each with its numbers") {
   const DiagramFolder folder;
   folder.write("sweep.yaml",
