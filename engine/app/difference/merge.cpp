@@ -355,10 +355,27 @@ class Merge {
       const Fact* inputs = inputs_of(side, name);
       return inputs ? inputs->written : "removed";
     };
-    const std::set<std::string> known = elements_in(base_.facts.root.canonical, name);
-    for (const std::string& element : elements_in(naming.facts.root.canonical, name))
-      if (!known.contains(element))
-        conflicts.push_back({element, written(base_), written(ours_), written(theirs_)});
+    std::set<std::string> named;
+    add_elements(naming.facts.root, &base_.facts.root, name, named);
+    for (const std::string& element : named)
+      conflicts.push_back({element, written(base_), written(ours_), written(theirs_)});
+  }
+
+  /// Adds the elements of a block in what differs from the base.
+  static void add_elements(const Fact& fact, const Fact* base, const std::string& name,
+                           std::set<std::string>& named) {
+    if (base && base->canonical == fact.canonical) return;
+    if (fact.parts.empty()) named.merge(elements_in(fact.canonical, name));
+    for (const Fact& part : fact.parts) {
+      const auto same = [&](const Fact& other) {
+        return part.key.empty() ? other.canonical == part.canonical : other.key == part.key;
+      };
+      const Fact* before = nullptr;
+      if (base)
+        if (const auto found = std::ranges::find_if(base->parts, same); found != base->parts.end())
+          before = &*found;
+      add_elements(part, before, name, named);
+    }
   }
 
   /// Returns the list of wires of a block; nullptr without one.

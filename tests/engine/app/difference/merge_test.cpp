@@ -65,6 +65,14 @@ TEST_CASE("an element of a Mux that one side names is a conflict where the other
       CHECK(result.conflicts[0].base == "[push, spring]");
     }
   }
+  // A place that took one element and takes another one, although the base names both.
+  const std::string both =
+      with(base, "at_most: 0.5 m",
+           "at_most: 0.5 m}\n  - {that: b, max: v.2, at_most: 9 N}\n  - {that: c, max: v.1, at_most: 8 N");
+  const std::string other = with(both, "max: v.2", "max: v.1");
+  const std::string joined = with(both, "[push, spring]}", "[spring, push]}");
+  CHECK(merged(joined, other, both).conflicts.size() == 1);
+  CHECK(merged(other, joined, both).conflicts.size() == 1);
   CHECK(merged(with(base, "stop: 1 s", "stop: 2 s"), named, base).conflicts.empty());
   CHECK(merged(exchanged, with(base, "stop: 1 s", "stop: 2 s"), base).conflicts.empty());
 }
