@@ -116,6 +116,18 @@ class Reader {
       notes_.push_back(fmt::format("the model has {} configurations; the first one is used", found));
   }
 
+  /// Adds the texts of a solver, and of the parts of its configuration on initial states and on messages.
+  static void add_configuration(const xml_node& solver, Texts& texts) {
+    add_texts(solver, texts);
+    for (const xml_node& part : solver.parent().children("Object")) {
+      const std::string_view type = part.attribute("ClassName").value();
+      if (type != "Simulink.DataIOCC" && type != "Simulink.DebuggingCC") continue;
+      Texts more;
+      add_texts(part, more);
+      texts.merge(more);
+    }
+  }
+
   /// Adds the first solver of a tree, and returns how many there are.
   static std::size_t add_solvers(const xml_node& root, Model& model) {
     std::size_t found = 0;
@@ -131,7 +143,7 @@ class Reader {
     xml_node top = root;
     top.traverse(walker);
     for (const xml_node& node : walker.solvers) {
-      if (model.solver.empty()) add_texts(node, model.solver);
+      if (model.solver.empty()) add_configuration(node, model.solver);
       ++found;
     }
     return found;

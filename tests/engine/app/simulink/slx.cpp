@@ -70,7 +70,9 @@ testing::Entries entries_of(const ModelText& model) {
   const std::string head = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n";
   const std::string defaults = "<BlockParameterDefaults>" + model.defaults + "</BlockParameterDefaults>";
   const std::string solver =
-      "<Object ObjectID=\"2\" ClassName=\"Simulink.SolverCC\">" + texts(model.solver) + "</Object>";
+      "<Object ObjectID=\"2\" ClassName=\"Simulink.SolverCC\">" + texts(model.solver) + "</Object>" +
+      "<Object ObjectID=\"3\" ClassName=\"Simulink.DataIOCC\">" + texts(model.states) + "</Object>" +
+      "<Object ObjectID=\"5\" ClassName=\"Simulink.DebuggingCC\">" + texts(model.messages) + "</Object>";
   const std::string system = "<System>" + model.system + "</System>";
   const std::string body =
       texts(model.callbacks) +

@@ -30,6 +30,7 @@ struct ModelText {
   P callbacks{};
   std::string defaults{};  ///< <Block ..> of BlockParameterDefaults
   bool is_new = true;
+  P states{}, messages{};  ///< parts of the configuration: initial states, and what is refused
 };
 testing::Entries entries_of(const ModelText& model);
 

@@ -262,7 +262,7 @@ TEST_CASE("an algebraic loop is solved where Simulink solves it") {
   const Imported imported(model);
   CHECK_THAT(imported.text(), Contains("algebraic_loops: solve"));
   CHECK(imported.last("y") == near(2.0 / 3.0));
-  model.solver["AlgebraicLoopMsg"] = "error";
+  model.messages["AlgebraicLoopMsg"] = "error";
   CHECK_THAT(Imported(model).notes(NoteKind::fault), Contains("lgebraic loop"));
 }
 
@@ -331,21 +331,23 @@ TEST_CASE("a parameter that changes behaviour and has no counterpart is said, ne
 }
 
 TEST_CASE("a run that begins or ends elsewhere is said, and the import is not finished") {
-  const auto imported = [](const P& solver) {
+  const auto imported = [](const P& solver, const P& states = {}) {
     ModelText model{number(1, "1") + block("Integrator", "I", 9) + line("1#out:1", {"9#in:1"})};
     for (const auto& [name, text] : solver) model.solver[name] = text;
+    model.states = states;
     return Imported(model);
   };
   CHECK_FALSE(imported({}).result.is_unfinished());
-  CHECK_FALSE(imported({{"LoadInitialState", "off"}, {"InitialState", "x0"}}).result.is_unfinished());
-  const auto says = [&](const P& solver, const std::string& sentence) {
-    const Imported one = imported(solver);
+  CHECK_FALSE(imported({}, {{"LoadInitialState", "off"}, {"InitialState", "x0"}}).result.is_unfinished());
+  const auto says = [&](const P& solver, const P& states, const std::string& sentence) {
+    const Imported one = imported(solver, states);
     CHECK(one.result.is_unfinished());
     CHECK_THAT(one.notes(NoteKind::deviates), Contains(sentence));
   };
-  says({{"LoadInitialState", "on"}, {"InitialState", "[4]"}}, "begins with the states of '[4]' in Simulink");
-  says({{"StopTime", "inf"}}, "has the stop time inf; 10 s is written");
-  says({{"StartTime", "0.5"}}, "begins at 0.5 s in Simulink, and at 0 here");
+  says({}, {{"LoadInitialState", "on"}, {"InitialState", "[4]"}},
+       "begins with the states of '[4]' in Simulink");
+  says({{"StopTime", "inf"}}, {}, "has the stop time inf; 10 s is written");
+  says({{"StartTime", "0.5"}}, {}, "begins at 0.5 s in Simulink, and at 0 here");
 }
 
 TEST_CASE("a block that is commented through makes another run, one that is commented out does not") {
