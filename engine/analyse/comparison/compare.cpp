@@ -134,20 +134,23 @@ class RunComparison {
     }
   }
 
-  /// Adds the difference of a value from that of the other trace, or from those within the jitter.
+  /// Adds the difference of a value from that of the other trace, or from the nearest within the jitter.
   void take(double time, double value, double other, const Sampling& others, bool backwards) {
-    double difference = distance(value, other);
+    double difference = distance(value, other), nearest = other;
     const bool is_worse = difference > found_.difference || difference > tolerance_;
-    if (is_worse && limits_.jitter > 0.0)
-      difference = distance(value, others.range(time - limits_.jitter, time + limits_.jitter));
+    if (is_worse && limits_.jitter > 0.0) {
+      const ValueRange near = others.range(time - limits_.jitter, time + limits_.jitter);
+      difference = distance(value, near);
+      if (!near.empty() && !std::isnan(value)) nearest = std::clamp(value, near.low, near.high);
+    }
     if (difference > tolerance_) ++found_.differing;
     const bool missing = std::isnan(value) != std::isnan(other) && difference == infinity;
     if (missing) ++found_.missing;
     if (missing ? found_.missing > 1 : found_.missing > 0 || difference <= found_.difference) return;
     if (!missing) found_.difference = difference;
     found_.time = time;
-    found_.a = backwards ? other : value;
-    found_.b = backwards ? value : other;
+    found_.a = backwards ? nearest : value;
+    found_.b = backwards ? value : nearest;
   }
 
   void compare_ends() {

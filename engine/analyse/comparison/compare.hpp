@@ -27,7 +27,7 @@ struct SignalDifference {
   std::optional<double> share{};  ///< The same as a share of the largest absolute value of A.
   double time = 0.0;              ///< Its time [s].
   std::size_t run = 0;            ///< Its run, of several.
-  double a = 0.0, b = 0.0;        ///< Both values there.
+  double a = 0.0, b = 0.0;        ///< Both values there; with jitter the nearest of the other within it.
   double tolerance = 0.0;
   double excess = 0.0;        ///< Largest difference divided by the tolerance; above 1 it differs.
   std::size_t rows = 0;       ///< Compared rows of A.

@@ -12,6 +12,7 @@
 #include "engine/app/report/run_text.hpp"
 #include "engine/base/data_file/reading_log.hpp"
 #include "engine/base/text/count.hpp"
+#include "engine/model/diagram/unread.hpp"
 
 namespace stepwire::cli {
 
@@ -45,8 +46,10 @@ ExitCode check(const session::LoadedModel& model, const ModelCall& call, Json& r
   }
   print_notes(model);
   if (call.units) put_text(report::units_text(model.job.plan));
-  say("{}: {}, {}, {}: nothing wrong\n", model.file, text::counted(diagram.blocks.size(), "block"),
-      text::counted(model.claims.size(), "claim"), text::counted(model.figures.size(), "figure"));
+  const std::size_t notes = call.strict ? diagram::unread_blocks(diagram).size() : 0;
+  say("{}: {}, {}, {}: {}\n", model.file, text::counted(diagram.blocks.size(), "block"),
+      text::counted(model.claims.size(), "claim"), text::counted(model.figures.size(), "figure"),
+      notes > 0 ? text::counted(notes, "note") : "nothing wrong");
   say_files();
   return ExitCode::done;
 }

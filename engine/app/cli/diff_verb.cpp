@@ -45,6 +45,14 @@ yaml::Error wrong_call(const std::string& text) {
   return yaml::Error(yaml::Fault{{"diff", {}}, "", text, {}});
 }
 
+/// Returns an error with other names of its files.
+template <class Rename>
+yaml::Error renamed(const yaml::Error& error, const Rename& rename) {
+  std::vector<yaml::Fault> faults = error.faults();
+  for (yaml::Fault& fault : faults) rename(fault.place.file);
+  return yaml::Error(std::move(faults));
+}
+
 /// Draws two files as one, into SVG or by the ending of the name into PNG or PDF.
 void draw(const DiffCall& call, const Registry& registry, const std::string& from, const std::string& to,
           const Difference& found) {
@@ -109,6 +117,24 @@ void compare_folders(Comparer& comparer, Texts& before, Texts& after, const std:
   }
 }
 
+/// Prints the differences, and then draws them: a picture that fails takes nothing away. `shown` has the
+/// names that `rename` gives to paths.
+template <class Rename>
+ExitCode print_and_draw(const DiffCall& call, const Registry& registry,
+                        const std::pair<std::string, std::string>& files, const Difference& found,
+                        const Difference& shown, const Results& results, const Rename& rename) {
+  const ExitCode code = print(call, shown, results);
+  const ExitCode drawn = guarded([&] {
+    try {
+      draw(call, registry, files.first, files.second, found);
+    } catch (const yaml::Error& error) {
+      throw renamed(error, rename);
+    }
+    return ExitCode::done;
+  });
+  return worst(code, drawn);
+}
+
 Difference difference_of(const Registry& registry, const std::string& from, const std::string& to) {
   Texts before, after;
   Comparer comparer(registry, before, after);
@@ -132,16 +158,14 @@ ExitCode diff_revisions(const DiffCall& call, const Registry& registry) {
   };
   try {
     const std::string to = after ? after->file() : file;
-    Difference found = difference_of(registry, before.file(), to);
-    draw(call, registry, before.file(), to, found);
-    for (difference::FileDifference& one : found.files) rename(one.before), rename(one.after);
+    const Difference found = difference_of(registry, before.file(), to);
+    Difference shown = found;
+    for (difference::FileDifference& one : shown.files) rename(one.before), rename(one.after);
     Results results = results_of(call, registry, before.file(), to);
     if (results) rename(results->signals.a), rename(results->signals.b);
-    return print(call, found, results);
+    return print_and_draw(call, registry, {before.file(), to}, found, shown, results, rename);
   } catch (const yaml::Error& error) {
-    std::vector<yaml::Fault> faults = error.faults();
-    for (yaml::Fault& fault : faults) rename(fault.place.file);
-    throw yaml::Error(std::move(faults));
+    throw renamed(error, rename);
   }
 }
 
@@ -202,8 +226,9 @@ ExitCode diff(const DiffCall& call, const Registry& registry) {
   if (count != 2) throw wrong_call(fmt::format("takes one or two files, not {}", count));
   if (!call.revision.empty()) throw wrong_call("takes one file with --rev");
   const Difference found = difference_of(registry, call.files[0], call.files[1]);
-  draw(call, registry, call.files[0], call.files[1], found);
-  return print(call, found, results_of(call, registry, call.files[0], call.files[1]));
+  const Results results = results_of(call, registry, call.files[0], call.files[1]);
+  return print_and_draw(call, registry, {call.files[0], call.files[1]}, found, found, results,
+                        [](std::string&) {});
 }
 
 Action declare_diff(CLI::App& verb) {
@@ -231,7 +256,8 @@ Action declare_diff(CLI::App& verb) {
 Verb diff_verb() {
   return {"diff", "compare the meaning of two diagrams, or of two revisions of one",
           "Example:\n  stepwire diff rig.yaml --rev HEAD~1\n"
-          "The exit code is 0 if both mean the same, 1 if they differ, 2 if a file cannot be read.\n"
+          "The exit code is 0 if both mean the same, 1 if they differ, 2 if a file cannot be read, 3 without "
+          "the picture.\n"
           "Order, comments, layout and notation of numbers make no difference.",
           declare_diff};
 }

@@ -19,14 +19,19 @@ struct MergeCall {
   std::string out;   ///< empty: `ours`
 };
 
-void report(const std::string& path, const difference::Merged& merged) {
+/// Prints what is left to do in the written file. `path` is the name of the file in its faults.
+void report(const std::string& written, const std::string& path, difference::Merged merged) {
   for (const difference::Conflict& one : merged.conflicts)
-    complain("{}: {}: ours is {}, theirs is {}, before it was {}\n", path, one.at, one.ours, one.theirs,
+    complain("{}: {}: ours is {}, theirs is {}, before it was {}\n", written, one.at, one.ours, one.theirs,
              one.base);
   if (!merged.conflicts.empty())
-    complain("{}: write the right values and remove the section 'conflicts' at its end\n", path);
-  for (const yaml::Fault& fault : merged.faults) complain("{}\n", fault.text());
-  if (!merged.faults.empty()) complain("{}: the merged diagram has these faults; mend them by hand\n", path);
+    complain("{}: write the right values and remove the section 'conflicts' at its end\n", written);
+  for (yaml::Fault& fault : merged.faults) {
+    if (fault.place.file == path) fault.place.file = written;
+    complain("{}\n", fault.text());
+  }
+  if (!merged.faults.empty())
+    complain("{}: the merged diagram has these faults; mend them by hand\n", written);
 }
 
 /// Returns the text of a file. Throws yaml::Error for a missing one.
@@ -48,10 +53,10 @@ ExitCode merge(const MergeCall& call, const Registry& registry) {
   try {
     const difference::Merged merged = difference::merge(registry, path, base, ours, theirs);
     io::write_file(out, merged.text);
-    report(path, merged);
+    report(call.out.empty() ? path : call.out, path, merged);
     return merged.is_clean() ? ExitCode::done : ExitCode::fails;
   } catch (const language::EditRefused& refusal) {
-    complain("{}: {}\n", path, refusal.what());
+    complain("{}: {}\n", call.out.empty() ? path : call.out, refusal.what());
     return ExitCode::fails;
   }
 }

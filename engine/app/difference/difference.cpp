@@ -297,7 +297,16 @@ class Comparer::OfFiles {
     const std::string from = comparer_.before_texts_.part_path(before_.file, old_path->canonical);
     const std::string to = comparer_.after_texts_.part_path(after_.file, new_path->canonical);
     if (!comparer_.before_texts_.find(from) || !comparer_.after_texts_.find(to)) return std::nullopt;
+    name_use(before_.source->document.root, old_path->canonical, from);
+    name_use(after_.source->document.root, new_path->canonical, to);
     return std::pair(from, to);
+  }
+
+  /// Keeps the name under which a file uses the fetched folder of a part.
+  void name_use(const yaml::Node& root, const std::string& path, const std::string& part) const {
+    const std::string folder = diagram::fetched_root(part);
+    const auto use = diagram::use_of(root, path);
+    if (use && !folder.empty()) comparer_.uses_.emplace(folder, use->name);
   }
 
   void section(const std::string& key) {
@@ -381,9 +390,19 @@ void Comparer::compare(const std::string& before, const std::string& after, bool
   const FileFacts old_facts = before_.read(before), new_facts = after_.read(after);
   OfFiles files(*this, old_facts, new_facts);
   std::vector<Change> changes = files.changes();
-  if (!changes.empty()) result_.files.push_back({before, after, std::move(changes)});
+  if (!changes.empty())
+    result_.files.push_back({before, after, std::move(changes), fetched_name(before), fetched_name(after)});
   if (parts)
     for (const auto& [from, to] : std::vector(files.parts())) compare(from, to, true);
+}
+
+std::string Comparer::fetched_name(const std::string& file) const {
+  constexpr std::size_t short_commit = 7;
+  const std::string folder = diagram::fetched_root(file);
+  const auto use = uses_.find(folder);
+  if (use == uses_.end()) return "";
+  return fmt::format("{}{} at {}", use->second, file.substr(folder.size()),
+                     std::filesystem::path(folder).filename().string().substr(0, short_commit));
 }
 
 const char* word_of(Change::Kind kind) {

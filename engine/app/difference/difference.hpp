@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -27,6 +28,7 @@ struct Change {
 struct FileDifference {
   std::string before, after;  ///< the two files
   std::vector<Change> changes;
+  std::string before_name{}, after_name{};  ///< of fetched files "rig/plain.yaml at 2f0c7c5"; else empty
 };
 
 /// Differences of two diagrams and of the parts that both use. Files without differences are left out.
@@ -55,7 +57,11 @@ class Comparer {
 
   Texts &before_texts_, &after_texts_;
   FactReader before_, after_;
+  /// Returns the name of a fetched file with its short commit; empty for others.
+  std::string fetched_name(const std::string& file) const;
+
   std::set<std::pair<std::string, std::string>> done_;
+  std::map<std::string, std::string> uses_;  ///< names of fetched folders
   Difference result_;
 };
 

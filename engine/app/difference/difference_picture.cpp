@@ -59,6 +59,30 @@ std::vector<std::string> changed_parts(const Difference& difference, const std::
   return names;
 }
 
+/// Returns the names of the blocks that use parameters whose values changed, also by way of others.
+std::vector<std::string> users_of_parameters(const Registry& registry, const FileDifference& own) {
+  std::set<std::string> names;
+  for (const Change& change : own.changes)
+    if (change.section == "parameters" && change.kind == Change::Kind::changed) names.insert(change.name);
+  Texts texts;
+  const FileFacts facts = FactReader(registry, texts).read(own.after);
+  const auto uses_one = [&](const Fact& fact) {
+    return std::ranges::any_of(names_in(fact.canonical, NameKind::parameter),
+                               [&](const std::string& name) { return names.contains(name); });
+  };
+  const Fact* parameters = facts.root.find("parameters");
+  for (std::size_t count = 0; parameters && count != names.size();) {
+    count = names.size();
+    for (const Fact& one : parameters->parts)
+      if (uses_one(one)) names.insert(unmarked(one.key));
+  }
+  std::vector<std::string> users;
+  const Fact* blocks = facts.root.find("blocks");
+  for (std::size_t i = 0; blocks && i < blocks->parts.size(); ++i)
+    if (uses_one(blocks->parts[i])) users.push_back(unmarked(blocks->parts[i].key));
+  return users;
+}
+
 /// Returns a line for each change, and a heading above those of a part. Lines of what the drawing does not
 /// show begin with their section.
 Json lines_of(const Difference& difference, const std::string& drawn_file) {
@@ -85,6 +109,8 @@ std::string difference_picture(const Registry& registry, const std::string& befo
   Json names = Json::object();
   std::vector<std::string> changed = changed_parts(difference, after);
   const FileDifference* own = own_changes(difference, after);
+  if (own)
+    for (std::string& name : users_of_parameters(registry, *own)) changed.push_back(std::move(name));
   for (std::size_t i = 0; own && i < own->changes.size(); ++i) {
     const Change& change = own->changes[i];
     const bool is_block = change.section == "blocks" || change.section == "values";

@@ -43,7 +43,9 @@ std::string place_of(const Change& change) {
 }
 
 void append(std::string& text, const FileDifference& file) {
-  text += file.before == file.after ? file.after + "\n" : fmt::format("{} -> {}\n", file.before, file.after);
+  const std::string& before = file.before_name.empty() ? file.before : file.before_name;
+  const std::string& after = file.after_name.empty() ? file.after : file.after_name;
+  text += before == after ? after + "\n" : fmt::format("{} -> {}\n", before, after);
   std::vector<std::string> sections;
   for (const Change& change : file.changes)
     if (!std::ranges::count(sections, change.section)) sections.push_back(change.section);

@@ -32,7 +32,7 @@ struct OrderedNode {
 /// Returns the node of a place of orders_of(); std::nullopt where the file has none there.
 std::optional<OrderedNode> ordered_node(const yaml::Node& root, const std::string& place);
 
-/// Place at which a merged file has not the order that the versions say.
+/// Place at which a merged file lacks the order of the versions.
 struct LostOrder {
   std::string place;
   std::vector<std::string> base, ours, theirs;

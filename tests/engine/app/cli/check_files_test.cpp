@@ -34,6 +34,18 @@ TEST_CASE("check prints one line for each data file: how it was read, and what w
   CHECK(files.items().front().find("done")->items().size() == 4);
 }
 
+TEST_CASE("check --strict counts the notes that make its exit code 1") {
+  const Scratch folder;
+  folder.file("a.yaml",
+              "stepwire: 1\ntitle: unread\nstep: 0.1 s\nstop: 0.4 s\nblocks:\n"
+              "  x: {block: Constant, value: 1}\n  y: {block: Gain, u: x, gain: 2}\n"
+              "  z: {block: Constant, value: 1}\nrecord: [z]\n");
+  const Done strict = run_program(folder, {"check", "a.yaml", "--strict"});
+  CHECK(strict.code == 1);
+  CHECK(strict.out == "a.yaml: 3 blocks, 0 claims, 0 figures: 1 note\n");
+  CHECK_THAT(run_program(folder, {"check", "a.yaml"}).out, Catch::Contains("nothing wrong"));
+}
+
 TEST_CASE("a file that is refused leaves no line behind for the next one") {
   const Scratch folder;
   write_files(folder);

@@ -26,6 +26,15 @@ TEST_CASE("compare agrees on csv, mat and h5 of a run, and on its folder") {
   }
 }
 
+TEST_CASE("compare with jitter prints the two values that give the difference") {
+  const Scratch folder;
+  folder.file("a.csv", "time [s],f\n0,0\n1,0\n2,10\n3,10\n4,10\n");
+  folder.file("b.csv", "time [s],f\n0,0\n1,0\n2,0\n3,7.5\n4,7.5\n");
+  const Done done = run_program(folder, {"compare", "a.csv", "b.csv", "--jitter", "1 s"});
+  CHECK(done.code == 1);  // 10 at 2 s; b has values between 0 and 7.5 from 1 s to 3 s
+  CHECK_THAT(done.out, Contains("differs by 2.5") && Contains("at 2 s, 10 and 7.5"));
+}
+
 TEST_CASE("compare takes tolerances and jitter by signal, and its exit code is the verdict") {
   const Scratch folder;
   folder.file("a.csv", step);

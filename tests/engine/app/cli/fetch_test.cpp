@@ -340,6 +340,8 @@ TEST_CASE("diff compares the parts of two commits") {
   const Done changed = shop.run({"diff", "old.yaml", "main.yaml"});
   CHECK(changed.code == 1);
   CHECK_THAT(changed.out, Contains(shop.first + " -> " + second) && Contains("factor: 2 -> 5 (2.5 times)"));
+  CHECK_THAT(changed.out, Contains("\nrig/doubler.yaml at " + shop.first.substr(0, 7) +
+                                   " -> rig/doubler.yaml at " + second.substr(0, 7) + "\n"));
   fs::remove_all(shop.folder.path("cache"));
   REQUIRE(shop.run({"fetch", "main.yaml"}).code == 0);
   const Done unknown = shop.run({"diff", "old.yaml", "main.yaml"});

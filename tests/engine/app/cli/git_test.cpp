@@ -79,6 +79,40 @@ TEST_CASE("diff has an exit code for equal, different and unreadable files") {
   CHECK(run_program(folder, {"diff", "a.yaml", "b.yaml", "--rev", "HEAD"}).code == 2);
 }
 
+TEST_CASE("diff prints the differences before a picture that fails with 3") {
+  const Scratch folder;
+  folder.file("a.yaml", cart);
+  folder.file("b.yaml", other(cart, "2 Hz", "3 Hz"));
+  Call call;
+  call.arguments = {"diff", "a.yaml", "b.yaml", "-o", "c.svg"};
+  call.environment["PATH"] = folder.path("");
+  const Done done = run_program(folder, call);
+  CHECK(done.code == 3);
+  CHECK_THAT(done.out, Contains("~ push.frequency: 2 Hz -> 3 Hz"));
+  CHECK_THAT(done.err, Contains("node is not installed"));
+}
+
+TEST_CASE("the picture of diff marks the blocks that use a changed parameter") {
+  const Scratch folder;
+  const std::string rig = other(other(cart, "gain: -400 N/m", "gain: = -k2"),
+                                "blocks:", "parameters: {k: 60 N/m, k2: = 2*k, m: 2 kg}\nblocks:");
+  folder.file("a.yaml", other(rig, "mass: 2 kg", "mass: $m"));
+  folder.file("b.yaml", other(other(rig, "mass: 2 kg", "mass: $m"), "60 N/m", "75 N/m"));
+  folder.file("c.yaml",
+              other(other(rig, "mass: 2 kg", "mass: $m"), "k: 60 N/m, k2: = 2*k", "k: 75 N/m, k2: = 3*k"));
+  const auto marks = [&](const char* file) {
+    const Done done = run_program(folder, {"diff", "a.yaml", file, "-o", "x.svg"});
+    REQUIRE(done.code == 1);
+    const std::string picture = content_of(folder.path("x.svg"));
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = picture.find(">~<", at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  folder.file("d.yaml", other(other(rig, "mass: 2 kg", "mass: $m"), "title: A cart", "title: A sled"));
+  CHECK(marks("b.yaml") == marks("d.yaml") + 1);
+  CHECK(marks("c.yaml") == marks("d.yaml") + 1);
+}
+
 TEST_CASE("diff --json has the differences, or the faults") {
   const Scratch folder;
   folder.file("a.yaml", cart);
@@ -193,6 +227,16 @@ TEST_CASE("merge writes another file with -o, and leaves ours alone if a file ca
   CHECK(broken.code == 2);
   CHECK(content_of(folder.path("ours.yaml")) == other(cart, "3 N", "4 N"));
   CHECK(run_program(folder, {"merge", "base.yaml", "ours.yaml", "nothing.yaml"}).code == 2);
+  folder.file("third.yaml", other(cart, "3 N", "5 N"));
+  const Done both = run_program(folder, {"merge", "base.yaml", "ours.yaml", "third.yaml", "-o", "m.yaml"});
+  CHECK(both.code == 1);
+  CHECK_THAT(both.err, Contains("m.yaml: push.amplitude: ours is 4 N, theirs is 5 N, before it was 3 N") &&
+                           !Contains("ours.yaml"));
+  folder.file("units.yaml", cart + "units: {push: N}\n");
+  folder.file("kilos.yaml", other(cart, "3 N", "3 kg"));
+  const Done faults = run_program(folder, {"merge", "base.yaml", "units.yaml", "kilos.yaml", "-o", "f.yaml"});
+  CHECK(faults.code == 1);
+  CHECK_THAT(faults.err, Contains("f.yaml:") && !Contains("units.yaml"));
 }
 
 TEST_CASE("git-setup prints its commands, and applies them once") {
@@ -221,8 +265,8 @@ TEST_CASE("diff --results names the worst difference of each signal and the clai
   CHECK_THAT(found.out, Contains("~ y: ") && Contains("at 1 s") && !Contains("~ u:"));
   CHECK_THAT(found.out, Contains("~ claim 'it is small': holds: 2 N -> does not hold: 3 N"));
   CHECK_THAT(found.out, !Contains("it is positive"));
-  const auto json = nlohmann::json::parse(
-      run_program(folder, {"diff", "a.yaml", "b.yaml", "--results", "--json"}).out);
+  const auto json =
+      nlohmann::json::parse(run_program(folder, {"diff", "a.yaml", "b.yaml", "--results", "--json"}).out);
   const auto& signals = json.at("results").at("signals").at("signals");
   CHECK(signals.at(0).at("name") == "y");
   CHECK(signals.at(0).at("difference").get<double>() == Approx(1.0 - std::exp(-10.0)).epsilon(1e-4));
