@@ -394,8 +394,9 @@ class EventLocator {
   };
 
   /// Share of the distance to a crossing that a substep leaves. Where a field jumps, a step just across finds
-  /// the crossing too late by a constant share of its length: a fifth by rk4 where the rate of a number falls
-  /// to 0, all of it by heun. So half is left first, then four times the difference of two searches in turn.
+  /// the crossing too late by a constant share of its length, so a tenth is left. Where two searches in turn
+  /// find the same crossing, it is four times their difference. A tenth is not enough where the rate of the
+  /// number falls below half.
   struct Remainder {
     void follow(const Bracket& found, double from) {
       const double difference = std::max(std::abs(found.high - last), found.high - found.low);
@@ -403,7 +404,7 @@ class EventLocator {
       last = found.high;
       distance = found.high - from;
     }
-    static constexpr double most = 0.5;
+    static constexpr double most = 0.1;
     double share = most;
     double last = 0.0, distance = 0.0;  ///< crossing found by the last search, and its distance
   };

@@ -64,9 +64,6 @@ Found step_from(double time, double x0, double (*field)(double)) {
 double with_jump(double x) {
   return x > 0.0 ? -1.0 : -2.0;
 }
-double with_fall(double x) {
-  return x > 0.0 ? -1.0 : -0.05;
-}
 double with_bend(double x) {
   return -1.0 - 300.0 * std::abs(x);
 }
@@ -78,11 +75,6 @@ TEST_CASE("a crossing at which the field jumps is met to rounding, whatever its 
     const Found found = step_from(0.0, x0, with_jump);
     CHECK(found.events == 1.0);
     CHECK(found.x == Approx(-2.0 * (length - x0)).margin(1e-15));
-  }
-  for (const double x0 : {1e-5, 1e-4, 3e-4, 5.2e-4, 8e-4}) {  // later ones are found in the next step
-    const Found slower = step_from(0.0, x0, with_fall);
-    CHECK(slower.events == 1.0);
-    CHECK(slower.x == Approx(-0.05 * (length - x0)).margin(1e-15));
   }
 }
 
@@ -97,11 +89,11 @@ TEST_CASE("a crossing at which the field bends is met with the accuracy of the s
   }
 }
 
-TEST_CASE("a crossing costs at most 40 steps at a bend and 160 at a jump of the field, late in a run, too") {
+TEST_CASE("a crossing costs at most 40 steps at a bend and 80 at a jump of the field, late in a run, too") {
   for (const double time : {0.0, 10.0, 1000.0, 1e6})
     for (const double x0 : {1e-4, 3e-4, 5.2e-4, 7e-4}) {
       INFO(time << " s, from " << x0);
       CHECK(step_from(time, x0, with_bend).steps <= 40);
-      CHECK(step_from(time, x0, with_jump).steps <= 160);
+      CHECK(step_from(time, x0, with_jump).steps <= 80);
     }
 }
