@@ -83,7 +83,7 @@ test("what lies between the cursors becomes a line of claims by a click", option
   await row.getByRole("button").nth(3).click();
   const {section, text} = await page.evaluate(() => window.inserted);
   assert.equal(section, "claims");
-  assert.match(text, /^\{that: the greatest cart.position from 1 s to 2 s is 6\d\.\d+ mm, where: time >= 1 s && time <= 2 s, max: cart.position, equals: 6\d\.\d+ mm, within: 1 %\}$/);
+  assert.match(text, /^\{that: the maximum of cart.position from 1 s to 2 s is 6\d\.\d+ mm, where: time >= 1 s && time <= 2 s, max: cart.position, equals: 6\d\.\d+ mm, within: 1 %\}$/);
 }));
 
 test("numbers between the cursors follow the run until it has passed them", options, () => at(0.5, async (page) => {
