@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "engine/model/diagram/units.hpp"
+#include "tests/engine/model/diagram/units_of.hpp"
 #include "tests/support/plan_text.hpp"
 
 namespace stepwire::diagram {
@@ -14,20 +15,6 @@ const std::string pendulum =
 const std::string filter =
     "  kf: {block: KalmanFilter, measured: y, every: 1 ms, A: [[1, 0], [0, 1]], C: [[1, 0], [0, 1]], "
     "Q: [[1, 0], [0, 1]], R: [[1, 0], [0, 1]]}\n";
-
-/// The units of the elements of a block's first output.
-std::string units_of(const std::string& text, const std::string& name) {
-  const plan::Plan plan = plan_text(text);
-  std::string units;
-  for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
-    if (plan.diagram.blocks[b].name != name) continue;
-    for (Eigen::Index k = 0; k < plan.blocks[b].outputs[0].size; ++k) {
-      const auto dimension = plan.dimension({static_cast<int>(b), 0, -1, {k + 1, 0}});
-      units += (k > 0 ? ", " : "") + (dimension ? unit::si_name(*dimension) : std::string("?"));
-    }
-  }
-  return units;
-}
 
 }  // namespace
 
@@ -68,10 +55,9 @@ TEST_CASE("the section units names units of SI, since it converts no numbers") {
 }
 
 TEST_CASE("a vector of elements in different units has no length") {
-  CHECK(
-      faults_of(pendulum + "  z: {block: Norm, u: y}\n").at(0) ==
-      "test.yaml:9:23: z.u: y has elements in m and rad, and Norm takes one unit; give them one, as by a "
-      "Gain for each");
+  CHECK(faults_of(pendulum + "  z: {block: Norm, u: y}\n").at(0) ==
+        "test.yaml:9:23: z.u: y has elements in m and rad, and Norm takes one unit; give them one, as by a "
+        "Gain for each");
   CHECK(units_of(pendulum + "  w: {block: Mux, u: [x, x]}\n  z: {block: Norm, u: w}\n", "z") == "m");
 }
 

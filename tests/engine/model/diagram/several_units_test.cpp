@@ -5,6 +5,7 @@
 #include "engine/model/block/registry.hpp"
 #include "engine/model/diagram/flatten.hpp"
 #include "engine/model/diagram/units.hpp"
+#include "tests/engine/model/diagram/units_of.hpp"
 #include "tests/support/plan_text.hpp"
 
 namespace stepwire::diagram {
@@ -16,23 +17,6 @@ const std::string pendulum =
     "step: 1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  hold: {block: Mass, mass: 1 kg, force: 1 N}\n  x: "
     "{block: Ramp, slope: 1 mm/s}\n  theta: {block: Ramp, slope: 2 deg/s}\n"
     "  y: {block: Mux, u: [x, theta]}\n";
-
-/// The units of the elements of a block's first output.
-std::string units_of(const plan::Plan& plan, const std::string& name) {
-  std::string units;
-  for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
-    if (plan.diagram.blocks[b].name != name) continue;
-    for (Eigen::Index k = 0; k < plan.blocks[b].outputs[0].size; ++k) {
-      const auto dimension = plan.dimension({static_cast<int>(b), 0, -1, {k + 1, 0}});
-      units += (k > 0 ? ", " : "") + (dimension ? unit::si_name(*dimension) : std::string("?"));
-    }
-  }
-  return units;
-}
-
-std::string units_of(const std::string& text, const std::string& name) {
-  return units_of(plan_text(text), name);
-}
 
 /// The last row of the recorded columns, after the time.
 std::vector<double> last_row(const std::string& text, const std::vector<Setting>& settings = {}) {
