@@ -70,6 +70,7 @@ void TransportDelay::declare(Declare<TransportDelay>& is) {
   is.derived<&TransportDelay::rows, From::no_number>();
   is.derived<&TransportDelay::most, From::no_number>();
   is.derived<&TransportDelay::changes, From::no_number>();
+  is.derived<&TransportDelay::holds_passed, From::no_number>();
 }
 
 void TransportDelay::configure(Configure& is) {
@@ -77,6 +78,8 @@ void TransportDelay::configure(Configure& is) {
   const auto constant = is.constant<&TransportDelay::delay>();
   const double step = is.period();
   changes = !constant;
+  holds_passed = changes && is.acts_at_events();
+  is.skip_instants(!holds_passed);
   if (constant) is.skip_crossings();
   most = constant ? std::max(*constant, step) : longest;
   const std::string too_short =

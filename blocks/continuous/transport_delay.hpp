@@ -35,14 +35,12 @@ struct TransportDelay {
   Index rows = 1;
   double most = 1.0;     // largest stored delay [s]
   bool changes = false;  // true if the delay is a signal
+  bool holds_passed = false;  // Between instants the output is on the side of them that `passed` says.
   Period period{};
   Time t{};
 
-  void outputs() {
-    const double T = length();
-    const Index last = last_reached(T);
-    for (Index i = 0; i < y.size(); ++i) y[i] = last < 0 ? initial[i] : value(i, last, t - T);
-  }
+  void outputs() { pass_on(holds_passed ? last_passed() : last_reached(length())); }
+  void outputs_at_instant() { pass_on(last_reached(length())); }
 
   void update_before_instant() {
     for (Index i = 0; i < u.size(); ++i) left[i] = u[i];
@@ -69,8 +67,7 @@ struct TransportDelay {
   /// Adds the times since the next instant and the last one that has arrived. A delay that grows by more than
   /// the time goes back behind the last one.
   void crossings(Crossings& zero) const {
-    Index row = newest_edge > passed ? first_after(passed) : known();
-    while (row < known() && !(edges[place(row)] > 0.0)) ++row;
+    const Index row = next_instant();
     const double T = length();
     zero.add(row < known() ? time_since(times[place(row)] + T, t) : -1.0);
     zero.add(passed >= 0.0 ? t - T - passed + 1e-9 * period : 1.0);
@@ -108,6 +105,24 @@ struct TransportDelay {
       (reached(t, times[place(middle)] + T) ? low : high) = middle;
     }
     return low;
+  }
+
+  void pass_on(Index row) {
+    const double at = t - length();
+    for (Index i = 0; i < y.size(); ++i) y[i] = row < 0 ? initial[i] : value(i, row, at);
+  }
+
+  /// Returns the first row of an instant that has not arrived; the number of rows without one.
+  Index next_instant() const {
+    Index row = newest_edge > passed ? first_after(passed) : known();
+    while (row < known() && !(edges[place(row)] > 0.0)) ++row;
+    return row;
+  }
+  /// Returns the last row that the delayed time has reached, between the last instant that has arrived and
+  /// the next one.
+  Index last_passed() const {
+    const Index reached = std::min(last_reached(length()), next_instant() - 1);
+    return passed >= 0.0 ? std::max(reached, first_after(passed) - 1) : reached;
   }
 
   /// Returns the first row after a time; the number of rows without one.

@@ -46,22 +46,59 @@ class InputNames {
   Index inputs_;
 };
 
+/// Makes functions of a block from expressions over the names of its inputs and the modes of its formula.
+struct MakeFunction {
+  const InputNames& inputs;
+  const std::vector<std::string>& modes{};
+
+  Function operator()(const expression::Expression& of) const {
+    std::vector<std::size_t> places;
+    for (const std::string& name : of.variables()) places.push_back(place(name));
+    return expression::function_of(of, places);
+  }
+
+ private:
+  std::size_t place(const std::string& name) const {
+    if (inputs(name) >= 0) return static_cast<std::size_t>(inputs(name));
+    const auto mode = std::ranges::find(modes, name) - modes.begin();
+    return static_cast<std::size_t>(ExpressionBlock::max_inputs + mode);
+  }
+};
+
+/// Holds the jumps of a formula between instants, as far as they are located.
+void hold_jumps(ExpressionBlock& block, const expression::Expression& formula, const InputNames& names,
+                Configure& is) {
+  const expression::Held held = expression::held_of(formula, block.margins.size());
+  block.held = MakeFunction{names, held.names}(held.formula);
+  std::ranges::transform(held.modes, block.modes_of.begin(), MakeFunction{names});
+  is.size("k", static_cast<Index>(held.modes.size()));
+  if (!held.modes.empty()) return is.hold_mode(block.holds_modes);
+  is.skip_instants();
+  is.remember_nothing();
+}
+
+/// Prepares the crossings of a formula, and what it holds between them.
+void locate(ExpressionBlock& block, const expression::Expression& formula, const InputNames& names,
+            Configure& is) {
+  const expression::Branches branches = expression::branches_of(formula);
+  const bool steady = branches.steady && branches.margins.size() <= block.margins.size();
+  for (std::size_t i = 0; i < std::min(branches.margins.size(), block.margins.size()); ++i)
+    block.margins[i] = MakeFunction{names}(branches.margins[i]);
+  if (branches.margins.empty()) is.skip_crossings();
+  if (!steady) return hold_jumps(block, formula, names, is);
+  is.steady();
+  is.size("k", 0);
+  is.skip_instants();
+  is.remember_nothing();
+}
+
 void read_formula(ExpressionBlock& block, Index inputs, Configure& is) {
   const InputNames names(block.variables, inputs);
-  const auto function = [&](const expression::Expression& of) {
-    std::vector<std::size_t> places;
-    for (const std::string& name : of.variables()) places.push_back(static_cast<std::size_t>(names(name)));
-    return expression::function_of(of, places);
-  };
   try {
     const expression::Expression formula(block.expression,
                                          [&](std::string_view name) { return names(name) >= 0; });
-    const expression::Branches branches = expression::branches_of(formula);
-    block.formula = function(formula);
-    if (branches.steady && branches.margins.size() <= block.margins.size()) is.steady();
-    for (std::size_t i = 0; i < std::min(branches.margins.size(), block.margins.size()); ++i)
-      block.margins[i] = function(branches.margins[i]);
-    if (branches.margins.empty()) is.skip_crossings();
+    block.formula = MakeFunction{names}(formula);
+    locate(block, formula, names, is);
   } catch (const expression::ExpressionError& error) {
     is.refuse<&ExpressionBlock::expression>(fmt::format(
         "'{}', character {}: {}; it may use {}, and for the time the output of a Clock among them",
@@ -98,9 +135,8 @@ void declare_block(Declare<ExpressionBlock>& is) {
            "are "
            "refused. Blocks of their own are faster. With "
            "`events: locate` the first four places where it breaks are located: conditions, and the jumps "
-           "and bends of abs, sign, floor, ceil, round, min, max and mod (not the jump of atan2). A formula "
-           "of conditions, sign, floor, ceil and round alone keeps its value in between; one that also "
-           "varies, as x*sign(x), is computed in the solver's stages, the last of which may see the jump.",
+           "and bends of abs, sign, floor, ceil, round, min, max and mod (not the jump of atan2). Between two "
+           "instants the formula keeps the branch of each of these jumps: x*sign(x) is -x, or it is x.",
        .symbol = {.text = "{expression|f(u)}"}});
 }
 
@@ -121,8 +157,15 @@ void ExpressionBlock::declare(Declare<ExpressionBlock>& is) {
   is.output<&ExpressionBlock::y>({.unit = "*", .doc = "the value"});
   for (const char* which : {"first", "second", "third", "fourth"})
     is.crossing<&ExpressionBlock::u>(fmt::format("the {} condition of the formula changes", which));
+  is.state<&ExpressionBlock::modes>({.shape = "k x n",
+                                     .doc = "branches of the formula, jump by jump",
+                                     .settable = false,
+                                     .mode = true});
   is.derived<&ExpressionBlock::formula>();
   is.derived<&ExpressionBlock::margins>();
+  is.derived<&ExpressionBlock::held>();
+  is.derived<&ExpressionBlock::modes_of>();
+  is.derived<&ExpressionBlock::holds_modes>();
 }
 
 }  // namespace stepwire

@@ -3,18 +3,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "engine/base/expression/fold.hpp"
 
 namespace stepwire::expression {
 namespace {
 
-using Texts = std::vector<std::string>;
+/// Branch point: the text of its margin, and that of a value that is constant on each side of it.
+struct Point {
+  std::string margin, mode;
 
-/// A subexpression: its value as text, its margin, and the margins of its inner jumps and bends.
+  bool operator==(const Point&) const = default;
+};
+using Points = std::vector<Point>;
+
+/// A subexpression: its value as text, its margin, and its inner jumps and bends.
 struct Part {
   std::string value, margin;
-  Texts inner{}, bends{};
+  std::string held{};  ///< the value, with the modes of known points as variables
+  Points inner{}, bends{};
   bool truth = false;
   bool steady = false;  ///< constant between sign changes of branches()
   bool varies = true;   ///< depends on a variable
@@ -26,28 +34,28 @@ struct Part {
     if (!beside.empty()) return beside;
     return truth ? margin : "abs(" + value + ")";
   }
-  /// Returns the margins of all places where the value jumps.
-  Texts branches() const { return truth ? Texts{margin} : inner; }
+  /// Returns all places where the value jumps.
+  Points branches() const { return truth ? Points{{margin, value}} : inner; }
 };
 using Parts = std::vector<Part>;
 
-std::string joined(const Parts& parts) {
+std::string joined(const Parts& parts, std::string Part::*text) {
   std::string list;
-  for (const Part& part : parts) list += (list.empty() ? "" : ", ") + part.value;
+  for (const Part& part : parts) list += (list.empty() ? "" : ", ") + part.*text;
   return list;
 }
 
-/// Limit of margins: more do not help a block and make long formulas slow to parse.
-constexpr std::size_t most_margins = 16;
+/// Limit of branch points: more do not help a block and make long formulas slow to parse.
+constexpr std::size_t most_points = 16;
 
-void add_once(Texts& all, std::string text) {
-  if (all.size() < most_margins && std::ranges::find(all, text) == all.end()) all.push_back(std::move(text));
+void add_once(Points& all, Point point) {
+  if (all.size() < most_points && std::ranges::find(all, point) == all.end()) all.push_back(std::move(point));
 }
 
-Texts all_of(const Parts& parts, Texts (*texts)(const Part& part)) {
-  Texts all;
+Points all_of(const Parts& parts, Points (*points)(const Part& part)) {
+  Points all;
   for (const Part& part : parts)
-    for (std::string& margin : texts(part)) add_once(all, std::move(margin));
+    for (Point& point : points(part)) add_once(all, std::move(point));
   return all;
 }
 
@@ -58,47 +66,26 @@ bool any_varies(const Parts& parts) {
   return std::ranges::any_of(parts, &Part::varies);
 }
 
-/// Makes a numeric part from its operands.
-Part number_of(std::string text, const Parts& of) {
-  const bool steady = all_steady(of);
-  Part part{text, text, all_of(of, [](const Part& inner) { return inner.branches(); })};
-  if (!steady) part.bends = all_of(of, [](const Part& inner) { return inner.bends; });
-  part.steady = steady;
-  part.varies = any_varies(of);
-  return part;
-}
-Part truth_of(std::string text, std::string margin, const Parts& of) {
-  return {std::move(text), std::move(margin), {}, {}, true, true, any_varies(of)};
-}
-
-/// Adds margins for min or max: each value minus the best of the values before it.
-void add_best(Texts& margins, std::string_view name, const Parts& of) {
+/// Adds points for min or max: each value minus the best of the values before it.
+void add_best(Points& points, std::string_view name, const Parts& of) {
   std::string best = of[0].value;
   for (std::size_t i = 1; i < of.size(); ++i) {
-    add_once(margins, fmt::format("({} - {})", of[i].value, best));
+    add_once(points, {fmt::format("({} - {})", of[i].value, best), ""});
     best = fmt::format("{}({}, {})", name, best, of[i].value);
   }
 }
 
-/// Adds the margin of a function's own jumps and bends: for floor at whole numbers it is sin(pi x).
-void add_own(Part& part, std::string_view name, const Parts& of) {
+/// Returns the point at which a function jumps: for floor at whole numbers, where sin(pi x) is 0.
+std::optional<Point> jump_of(std::string_view name, const std::string& text, const Parts& of) {
   constexpr const char* pi = "(3.1415926535897931)";
   const std::string& value = of[0].value;
-  if (name == "sign") add_once(part.inner, value);
-  if (name == "floor" || name == "ceil") add_once(part.inner, fmt::format("sin({}*{})", pi, value));
-  if (name == "round") add_once(part.inner, fmt::format("cos({}*{})", pi, value));
-  if (name == "mod") add_once(part.inner, fmt::format("sin({}*({} / {}))", pi, value, of[1].value));
-  if (name == "abs") add_once(part.bends, value);
-  if (name == "min" || name == "max") add_best(part.bends, name, of);
-}
-
-Part function_of(std::string_view name, const Parts& of) {
-  Part part = number_of(fmt::format("{}({})", name, joined(of)), of);
-  if (part.steady) return part;
-  add_own(part, name, of);
-  part.steady = name == "sign" || name == "floor" || name == "ceil" || name == "round";
-  if (part.steady) part.bends.clear();
-  return part;
+  if (name == "sign") return Point{value, text};
+  if (name == "floor" || name == "ceil") return Point{fmt::format("sin({}*{})", pi, value), text};
+  if (name == "round") return Point{fmt::format("cos({}*{})", pi, value), text};
+  if (name != "mod") return std::nullopt;
+  const std::string& divisor = of[1].value;
+  return Point{fmt::format("sin({}*({} / {}))", pi, value, divisor),
+               fmt::format("round(({} - {})/{})", value, text, divisor)};
 }
 
 /// Builds the margin of an expression bottom-up. The margin of a truth value is positive where it is true and
@@ -106,57 +93,112 @@ Part function_of(std::string_view name, const Parts& of) {
 /// the larger of two margins; "not" negates one. A choice selects the margin of its branch.
 struct MakeMargin {
   const std::vector<std::string>& variables;
+  const Points& known;      ///< points whose modes are variables of the held text
+  const std::string& name;  ///< of these variables, without their numbers
 
-  Part variable(std::size_t i) const { return {variables[i], variables[i]}; }
+  Part variable(std::size_t i) const { return {variables[i], variables[i], variables[i]}; }
   Part number(const Program::Number& number) const {
     const std::string text = fmt::format("({:.17g})", number.value);
-    return {text, text, {}, {}, false, true, false};
+    return {text, text, text, {}, {}, false, true, false};
   }
   Part operation(const Operation& operation, const Parts& of, std::size_t) const {
     if (operation.binding == Binding::prefix) return prefix(operation.name, of);
-    if (operation.binding == Binding::atom) return function_of(operation.name, of);
-    const std::string text = fmt::format("({} {} {})", of[0].value, operation.name, of[1].value);
-    if (operation.binding == Binding::comparison) return compared(operation.name, text, of);
+    if (operation.binding == Binding::atom) return function(operation.name, of);
+    const auto text = [&](std::string Part::*side) {
+      return fmt::format("({} {} {})", of[0].*side, operation.name, of[1].*side);
+    };
+    if (operation.binding == Binding::comparison) return compared(operation.name, text(&Part::value), of);
     if (operation.binding < Binding::comparison)
-      return truth_of(text,
-                      fmt::format("{}({}, {})", operation.binding == Binding::both ? "min" : "max",
-                                  of[0].as_truth(), of[1].as_truth()),
-                      of);
-    return number_of(text, of);
+      return truth(text(&Part::value),
+                   fmt::format("{}({}, {})", operation.binding == Binding::both ? "min" : "max",
+                               of[0].as_truth(), of[1].as_truth()),
+                   of);
+    return number_of(text(&Part::value), text(&Part::held), of);
   }
   Part choice(const Part& condition, const Part& a, const Part& b) const {
-    const auto text = [&](const std::string& first, const std::string& second) {
-      return fmt::format("({} ? {} : {})", condition.value, first, second);
+    const auto text = [](const std::string& chooses, const std::string& first, const std::string& second) {
+      return fmt::format("({} ? {} : {})", chooses, first, second);
     };
-    const bool truth = a.truth && b.truth;
-    const Parts of{condition.steady ? condition : truth_of("", condition.as_truth(), {condition}), a, b};
-    Part part = number_of(text(a.value, b.value), of);
-    part.margin = text(a.margin, b.margin);
-    part.truth = truth;
-    part.steady = part.steady || truth;
-    if (truth) part.bends.clear();
+    const bool truths = a.truth && b.truth;
+    const Part chooses = condition.steady ? condition
+                                          : truth(fmt::format("({} != 0)", condition.value),
+                                                  condition.as_truth(), {condition});
+    Part part = number_of(text(condition.value, a.value, b.value), text(chooses.held, a.held, b.held),
+                          {chooses, a, b});
+    part.margin = text(condition.value, a.margin, b.margin);
+    part.truth = truths;
+    part.steady = part.steady || truths;
+    if (truths) part.bends.clear();
+    if (truths) part.held = held({part.margin, part.value});
     return part;
   }
 
  private:
-  static Part prefix(std::string_view sign, const Parts& of) {
+  /// Returns the variable of a known point, else the text of its mode.
+  std::string held(const Point& point) const {
+    const auto found = std::ranges::find(known, point);
+    return found == known.end() ? point.mode : fmt::format("{}{}", name, found - known.begin());
+  }
+  static Part number_of(std::string text, std::string held, const Parts& of) {
+    const bool steady = all_steady(of);
+    Part part{text, text, std::move(held), all_of(of, [](const Part& inner) { return inner.branches(); })};
+    if (!steady) part.bends = all_of(of, [](const Part& inner) { return inner.bends; });
+    part.steady = steady;
+    part.varies = any_varies(of);
+    return part;
+  }
+  Part truth(const std::string& text, const std::string& margin, const Parts& of) const {
+    return {text, margin, held({margin, text}), {}, {}, true, true, any_varies(of)};
+  }
+  Part function(std::string_view called, const Parts& of) const {
+    const std::string text = fmt::format("{}({})", called, joined(of, &Part::value));
+    Part part = number_of(text, fmt::format("{}({})", called, joined(of, &Part::held)), of);
+    if (part.steady) return part;
+    if (called == "abs") add_once(part.bends, {of[0].value, ""});
+    if (called == "min" || called == "max") add_best(part.bends, called, of);
+    const auto jump = jump_of(called, text, of);
+    if (!jump) return part;
+    add_once(part.inner, *jump);
+    if (called == "mod") {
+      if (std::ranges::find(known, *jump) != known.end()) part.held = held_rest(part.held, held(*jump), of);
+      return part;
+    }
+    part.held = held(*jump);
+    part.steady = true;
+    part.bends.clear();
+    return part;
+  }
+  /// Returns the text of a remainder whose quotient is held. Where the quotient has not changed it has the
+  /// bits of the remainder.
+  static std::string held_rest(const std::string& rest, const std::string& quotient, const Parts& of) {
+    return fmt::format("({0} + {2}*({3} - round(({1} - {0})/{2})))", rest, of[0].held, of[1].held, quotient);
+  }
+  Part prefix(std::string_view sign, const Parts& of) const {
     const std::string text = fmt::format("({}{})", sign, of[0].value);
-    if (sign == "!") return truth_of(text, fmt::format("(-{})", of[0].as_truth()), of);
-    return number_of(text, of);
+    if (sign == "!") return truth(text, fmt::format("(-{})", of[0].as_truth()), of);
+    return number_of(text, fmt::format("({}{})", sign, of[0].held), of);
   }
   /// The difference of two numbers changes its sign where they become equal, which would hide other
   /// conditions beside it. There the distance takes its place.
-  static Part compared(std::string_view sign, const std::string& text, const Parts& of) {
+  Part compared(std::string_view sign, const std::string& text, const Parts& of) const {
     const std::string difference = fmt::format("({} - {})", of[0].value, of[1].value);
-    Part part = truth_of(text, fmt::format("({}{})", sign.front() == '<' ? "-" : "", difference), of);
+    Part part = truth(text, fmt::format("({}{})", sign.front() == '<' ? "-" : "", difference), of);
     if (sign == "==") part.beside = fmt::format("(-abs{})", difference);
     if (sign == "!=") part.beside = fmt::format("abs{}", difference);
     return part;
   }
 };
 
-Part fold_of(const Expression& formula, const std::function<bool(std::string_view)>& known) {
-  return fold<Part>(translate(formula.text(), known), MakeMargin{formula.variables()});
+Part fold_of(const Expression& formula, const std::function<bool(std::string_view)>& known, const Points& points = {},
+             const std::string& name = "") {
+  return fold<Part>(translate(formula.text(), known), MakeMargin{formula.variables(), points, name});
+}
+
+/// Returns the points of a formula, jumps first.
+Points points_of(const Part& part) {
+  Points points = part.branches();
+  for (const Point& bend : part.bends) add_once(points, bend);
+  return points;
 }
 
 auto variables_of(const Expression& formula) {
@@ -180,15 +222,35 @@ Branches branches_of(const Expression& formula) {
   const auto known = variables_of(formula);
   const Part part = fold_of(formula, known);
   Branches branches{part.steady && part.varies, {}};
-  Texts margins = part.branches();
-  for (const std::string& bend : part.bends) add_once(margins, bend);
-  for (const std::string& margin : margins) try {
-      branches.margins.emplace_back(margin, known);
+  for (const Point& point : points_of(part)) try {
+      branches.margins.emplace_back(point.margin, known);
     } catch (const ExpressionError&) {  // too long: a steady value jumps where its margin crosses 0
       if (part.truth) branches.margins.push_back(formula);
       branches.steady = part.truth;
     }
   return branches;
+}
+
+Held held_of(const Expression& formula, std::size_t most) {
+  const auto known = variables_of(formula);
+  Points points = points_of(fold_of(formula, known));
+  points.resize(std::min(points.size(), most));
+  std::erase_if(points, [](const Point& point) { return point.mode.empty(); });
+  std::string name = "mode";
+  const auto begins = [&](const std::string& variable) { return variable.starts_with(name); };
+  while (std::ranges::any_of(formula.variables(), begins)) name += '_';
+  Held held{formula, {}, {}};
+  try {
+    for (const Point& point : points) {
+      held.modes.emplace_back(point.mode, known);
+      held.names.push_back(fmt::format("{}{}", name, held.names.size()));
+    }
+    held.formula = Expression(fold_of(formula, known, points, name).held,
+                              [&](std::string_view text) { return known(text) || text.starts_with(name); });
+    return held;
+  } catch (const ExpressionError&) {  // too long
+    return {formula, {}, {}};
+  }
 }
 
 }  // namespace stepwire::expression

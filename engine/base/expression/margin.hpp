@@ -19,4 +19,15 @@ struct Branches {
 };
 Branches branches_of(const Expression& formula);
 
+/// A formula whose jumps are held. Its variables are those of the formula, and one for each mode.
+struct Held {
+  Expression formula;
+  std::vector<Expression> modes;   ///< Over the variables of the formula; constant between two jumps.
+  std::vector<std::string> names;  ///< Variables of the modes in the held formula.
+};
+/// Returns a formula that is smooth at its jumps while the modes stay the same, and has the value of the
+/// given one with the modes of the present values. It holds the jumps among the first `most` margins of
+/// branches_of().
+Held held_of(const Expression& formula, std::size_t most);
+
 }  // namespace stepwire::expression

@@ -84,6 +84,8 @@ class Configure {
   }
   /// Returns the time between two updates of this block [s].
   double period() const { return period_; }
+  /// True where this instance acts at located events, and its modes are held between them.
+  bool acts_at_events() const { return located_; }
   /// Sets `holds` for a block whose outputs() reads a mode that outputs_at_instant() stores: true where this
   /// instance acts at located events. Elsewhere the mode follows the inputs in the solver's stages, and
   /// nothing is remembered.

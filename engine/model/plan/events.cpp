@@ -103,17 +103,9 @@ class EventPlan {
     const auto count = static_cast<std::size_t>(draft_.blocks[block].crossings);
     plan.crossings.push_back({block, plan.crossing_count, count});
     plan.crossing_count += count;
-    plan.branches = plan.branches || branches(block);
     for (const CrossingSpec& spec : draft_.type(block).crossings)
       for (const std::string& input : spec.inputs)
         upstream_.need(block, static_cast<std::size_t>(draft_.type(block).input(input)));
-  }
-
-  /// True where outputs jump within a stage, by a branch or at an instant that a crossing of the block finds.
-  bool branches(std::size_t block) const {
-    const BlockType& type = draft_.type(block);
-    return draft_.blocks[block].computes && !draft_.is_steady(block) &&
-           (type.states.empty() || (type.run_next_edge && !type.has_continuous_state()));
   }
 
   /// Adds the crossing of `stop_when`, which has the last number.

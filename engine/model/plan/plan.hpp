@@ -182,8 +182,6 @@ struct Plan {
   std::vector<std::size_t> edges;  ///< sources that declare their jumps or bends, as indices in Plan::blocks
   std::vector<CrossingCall> crossings;
   std::size_t crossing_count = 0;
-  /// True where a block with crossings selects its branch from its inputs within a stage, and stores no mode.
-  bool branches = false;
   std::optional<std::size_t> stop_crossing;  ///< index of the crossing of `stop_when`
   /// Outputs for crossings that only the solver and time change, computed at the end of a step, and the
   /// remainder of `outputs`. Both are empty if there are no such outputs.

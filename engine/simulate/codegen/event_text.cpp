@@ -23,14 +23,14 @@ namespace {
 /// points of the task, updates before an instant, whether loops are solved, numbers of the error control, and
 /// whether values before an instant are read.
 constexpr char locate_form[] =
-    "  const solve::EventTask task{{at::time, states, first_derivative, {0}, {1}, {2}, {3}, {4}, {5}, {17}, "
+    "  const solve::EventTask task{{at::time, states, first_derivative, {0}, {1}, {2}, {3}, {4}, {5}, "
     "{6}, "
-    "{7}, {16}, {19}, {21}, {24}, {22}, {23}, scratch}};\n"
+    "{7}, {16}, {18}, {20}, {21}, {22}, scratch}};\n"
     "  struct Between {{\n    double* w;\n    [[maybe_unused]] const double* numbers;\n    std::int64_t "
     "tick;\n"
     "    void advance([[maybe_unused]] double now, [[maybe_unused]] double end, "
     "[[maybe_unused]] double length) const {{\n{8}    }}\n"
-    "{18}"
+    "{17}"
     "    void begin() const {{\n    forget_fault();\n{9}    settle();\n    "
     "}}\n"
     "    bool failed() const {{ return w[{10}] != 0.0; }}\n"
@@ -38,7 +38,7 @@ constexpr char locate_form[] =
     "    void follow() const {{\n{9}    follow_crossings(w, numbers, tick);\n    }}\n"
     "    void crossings(double* z) const {{ look(w, numbers, tick, z); }}\n"
     "    double edge() const {{ return next_edge(w, numbers, tick); }}\n"
-    "    void before(double) const {{\n{20}{9}    }}\n"
+    "    void before(double) const {{\n{19}{9}    }}\n"
     "    void begin_event() const {{\n{13}{14}    }}\n"
     "    bool round() const {{\n    event_outputs(w, numbers, tick);\n    const bool stops = {15};\n"
     "    event_updates(w, numbers, tick);\n{14}    return stops;\n    }}\n"
@@ -120,13 +120,12 @@ std::string between_text(const plan::Plan& plan, const PlaceNames& names) {
       solve::StepReport::count, moves ? fmt::format("    {};\n", in_place) : "",
       guards ? "    event_befores(w, numbers, tick);\n" : "", guards ? keep_text(names, plan) : "",
       plan.stop_crossing ? plan.diagram.stop_when->expression.cpp_condition(stop_variables(plan)) : "false",
-      events.looks, plan.branches,
+      events.looks,
       watches(plan) ? fmt::format(watched_form, solver_text(plan, {false, false, in_place, {}, "stops"}))
                     : "",
       events.looks_always(),
       plan.left_updates.empty() ? "" : "    before_instant(w, numbers, tick, w[at::time]);\n",
-      !plan.loops.empty(), layout.report + solve::ControlReport::next, control_count(plan),
-      !plan.left_updates.empty());
+      !plan.loops.empty(), layout.report + solve::ControlReport::next, control_count(plan));
 }
 
 }  // namespace

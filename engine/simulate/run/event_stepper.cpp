@@ -198,13 +198,11 @@ solve::EventTask EventStepper::task() {
           layout.diagnostics - layout.signals,
           layout.events,
           plan_.jumps,
-          plan_.branches,
           events.max_per_step,
           events.rounds,
           events.looks,
           events.looks_always(),
           !plan_.loops.empty(),
-          sides_ || !plan_.left_updates.empty(),
           layout.report + solve::ControlReport::next,
           control_count(plan_),
           scratch};

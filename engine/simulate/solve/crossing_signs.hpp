@@ -20,6 +20,15 @@ inline bool sign_changes(const double* before, const double* after, std::size_t 
   return changes;
 }
 
+/// True if any number has changed its sign between the start and a time before the end. A number that is 0
+/// there has not, unless it is 0 at the end: it passes 0, and takes no time for it.
+inline bool sign_passes(const double* start, const double* there, const double* end, std::size_t count) {
+  bool passes = false;
+  for (std::size_t i = 0; i < count; ++i)
+    passes |= sign_of(there[i]) != sign_of(start[i]) && (there[i] != 0.0 || end[i] == 0.0);
+  return passes;
+}
+
 /// Part of a step after a tick. A crossing within it is one at the tick that rounding has delayed.
 constexpr double after_tick = 1e-9;
 

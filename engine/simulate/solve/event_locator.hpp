@@ -89,29 +89,23 @@ class EventLocator {
  private:
   /// Integrates from `at` to the next event or to the end. Returns false if the run ends there.
   bool go_on(double& at, double start, double end, std::int64_t& crossed) {
-    const double from = at, edge = run_.edge();
-    const bool at_edge = edge > from && (reach_ == Reach::edge ? edge <= end : edge < left_of(end, length_));
-    at = at_edge ? edge : end;
+    const double from = at;
+    edge_ = run_.edge();
+    const bool at_edge =
+        edge_ > from && (reach_ == Reach::edge ? edge_ <= end : edge_ < left_of(end, length_));
+    at = at_edge ? edge_ : end;
+    tick_ = reach_ == Reach::tick ? end : std::numeric_limits<double>::infinity();
     length_of_ = from == start && !at_edge ? length_ : at - from;
     go_back();
     go(from, at, length_of_, high_);
-    const double stretch = at;
     const bool differs = sign_changes(start_, high_, task_.crossing_count);
-    bool crosses = crosses_inside(from, at) || differs;
-    if (crosses && task_.branches)
-      crosses = close_in(from, at);
-    else if (crosses)
-      at = locate(from, at, 1e-12 * length_).high;
+    const bool crosses = crosses_inside(from, at) || differs;
+    if (crosses) at = locate(from, at);
     if (at == end && !at_edge) return true;
     if (run_.failed()) return false;
-    if (!crosses && at != stretch) {
-      std::copy_n(high_, task_.crossing_count, trial_);
-      stand_at(at);
-      return true;
-    }
     values_[task_.time] = at;
     if (crosses && !may_cross(crossed++, at)) return false;
-    return act(crosses && task_.lefts && task_.branches) && (!crosses || turn_back(at, end));
+    return act() && (!crosses || turn_back(at, end));
   }
 
   /// Moves the states at a tick beyond a crossing that follows at once, since it is one at the tick that
@@ -128,7 +122,7 @@ class EventLocator {
     go(end, end + little, little, high_);
     past().forget();
     if (!run_.failed() && sign_changes(start_, high_, task_.crossing_count))
-      locate(end, end + little, 1e-12 * length_);
+      locate(end, end + little);
     else
       std::copy_n(end_, task_.state_count, values_ + task_.states);
     run_.forget_fault();
@@ -308,29 +302,12 @@ class EventLocator {
     std::copy_n(values_ + task_.derivatives, task_.state_count, slopes_);
   }
 
-  /// Runs the event iteration of the present instant. The values just before it are those on the near side of
-  /// the crossing if `near` is set, else the present ones. Returns false if the run ends there.
-  bool act(bool near = false) {
+  /// Runs the event iteration of the present instant. Returns false if the run ends there.
+  bool act() {
     past().forget();
-    near ? take_near_side() : run_.before(values_[task_.time]);
+    run_.before(values_[task_.time]);
     run_.begin_event();
     return settle();
-  }
-  /// Takes the values just before a located crossing. Beyond it a block that branches without a mode has the
-  /// branch of the far side, so the states for these values are those at the near end of the bracket.
-  void take_near_side() {
-    const double at = values_[task_.time];
-    std::copy_n(values_ + task_.states, task_.state_count, end_);
-    std::copy_n(values_ + task_.control, task_.control_count, control_);
-    go_back();
-    if (near_.high > near_.low) run_.advance(near_.low, near_.high, near_.high - near_.low);
-    run_.forget_fault();
-    values_[task_.time] = near_.high;
-    run_.before(at);
-    values_[task_.time] = at;
-    std::copy_n(end_, task_.state_count, values_ + task_.states);
-    std::copy_n(control_, task_.control_count, values_ + task_.control);
-    run_.follow();
   }
   bool settle() {
     const double* const place = values_ + task_.first;
@@ -375,111 +352,38 @@ class EventLocator {
 
   /// Integrates the states and computes the crossing functions at the end.
   void go(double from, double to, double length, double* numbers) {
-    run_.advance(from, task_.jumps ? left_of(to, length) : to, length);
+    run_.advance(from, end_of(to, length), length);
     arrive(to, length, numbers);
   }
   void arrive(double to, double length, double* numbers) {
-    values_[task_.time] = task_.jumps ? left_of(to, length) : to;
+    values_[task_.time] = end_of(to, length);
     run_.follow();
     run_.crossings(numbers);
+  }
+  /// Returns the end of a step to a time: just before it at a tick and where a source jumps. Elsewhere both
+  /// sides of an event have the same time.
+  double end_of(double to, double length) const {
+    const bool before = task_.jumps && (to >= tick_ || left_of(edge_, length) <= to);
+    return before ? left_of(to, length) : to;
   }
   void go_back() {
     std::copy_n(x_, task_.state_count, values_ + task_.states);
     std::copy_n(slopes_, task_.state_count, values_ + task_.derivatives);
   }
 
-  /// Times before and after a crossing.
-  struct Bracket {
-    double low, high;
-  };
-
-  /// Share of the distance to a crossing that a substep leaves. Where a field jumps, a step just across finds
-  /// the crossing too late by a constant share of its length, so a tenth is left. Where two searches in turn
-  /// find the same crossing, it is four times their difference. A tenth is not enough where the rate of the
-  /// number falls below half.
-  struct Remainder {
-    void follow(const Bracket& found, double from) {
-      const double difference = std::max(std::abs(found.high - last), found.high - found.low);
-      if (distance > 0.0) share = std::clamp(4.0 * difference / distance, 1e-4, most);
-      last = found.high;
-      distance = found.high - from;
-    }
-    static constexpr double most = 0.1;
-    double share = most;
-    double last = 0.0, distance = 0.0;  ///< crossing found by the last search, and its distance
-  };
-
-  /// Approaches a crossing from its near side, for plans whose blocks branch within a stage. A step across it
-  /// would evaluate the branch of the far side. So each substep leaves a share of the distance, until the
-  /// width of the search. `at` is a time after the crossing, on return that of the event. False if nothing
-  /// crosses.
-  bool close_in(double from, double& at) {
-    const double width = 1e-12 * length_, most = at;
-    double high = most;
-    Remainder left;
-    for (int stretch = 0; true; ++stretch) {
-      const Bracket found = locate(from, high, std::max(width, 0.02 * left.share * (high - from)));
-      left.follow(found, from);
-      const double next = from + (1.0 - left.share) * (found.low - from);
-      at = found.high;
-      if (at - from <= 4.0 * width || std::nextafter(from, at) == at || stretch == 100) return true;
-      high = at;
-      if (!(next > from)) continue;
-      if (!is_before_crossing(from, next)) {
-        high = next;
-        left = {};
-        continue;
-      }
-      at = next;
-      if (run_.failed()) return true;
-      stand_at(next);
-      from = next;
-      at = most;
-      high = beyond_crossing(from, found.high, most);
-      if (high == 0.0) return false;  // it has reversed before
-    }
-  }
-
-  /// Steps from one time to another. False if a number has crossed there.
-  bool is_before_crossing(double from, double to) {
-    run_.forget_fault();
-    go_back();
-    go(from, to, to - from, trial_);
-    if (!sign_changes(start_, trial_, task_.crossing_count)) return true;
-    std::copy_n(trial_, task_.crossing_count, high_);
-    return false;
-  }
-
-  /// Makes the present states the start of further steps.
-  void stand_at(double at) {
-    values_[task_.time] = at;
-    run_.begin();
-    keep();
-    std::copy_n(trial_, task_.crossing_count, start_);
-    length_of_ = 0.0;
-  }
-
-  /// Returns a time after a crossing found from an earlier start; 0 if there is none up to `most`.
-  double beyond_crossing(double from, double found, double most) {
-    for (double at = found; true;
-         at = std::min(most, std::max(std::nextafter(at, most), at + 2.0 * (at - from)))) {
-      go_back();
-      go(from, at, at - from, high_);
-      if (sign_changes(start_, high_, task_.crossing_count)) return at;
-      if (at == most) return 0.0;
-    }
-  }
-
-  /// Returns a bracket of the first detected crossing, with the states at its later end.
-  Bracket locate(double from, double end, double width) {
+  /// Returns the time just after the first detected crossing, with the states there. The crossing functions at
+  /// the `end` are those of `high_`.
+  double locate(double from, double end) {
+    const double width = 1e-12 * length_;
     double low = from, high = end, low_scale = 1.0, high_scale = 1.0;
     std::copy_n(start_, task_.crossing_count, low_);
+    std::copy_n(high_, task_.crossing_count, ends_);
     for (int k = 0; high - low > width && std::nextafter(low, high) < high; ++k) {
       const double at =
           k % 4 == 3 ? low + 0.5 * (high - low) : guess(low, high, low_scale, high_scale, width, k == 0);
       go_back();
       go(from, at, at - from, trial_);
-      const bool at_high = sign_changes(start_, trial_, task_.crossing_count);
+      const bool at_high = sign_passes(start_, trial_, ends_, task_.crossing_count);
       (at_high ? high : low) = at;
       std::copy_n(trial_, task_.crossing_count, at_high ? high_ : low_);
       // Illinois rule: the value of the retained end is halved, so that the next guess is on its side.
@@ -489,8 +393,7 @@ class EventLocator {
     run_.forget_fault();
     go_back();
     go(from, high, high - from, high_);
-    near_ = {from, low};
-    return {low, high};
+    return high;
   }
 
   /// Returns the first zero of the secants, at least half the width or one bit away from both ends.
@@ -515,8 +418,8 @@ class EventLocator {
   double *nearest_, *looks_;               ///< Numbers nearest to 0, and their looks.
   double* control_;                        ///< Numbers of the error control before a search.
   double length_ = 0.0, length_of_ = 0.0;  ///< length of the step, and of the interval up to the next event
+  double edge_ = 0.0, tick_ = 0.0;         ///< next edge of a source, and the tick at the end of the step
   Reach reach_ = Reach::tick;
-  Bracket near_{};  ///< The way from the last event to just before a crossing.
   static constexpr int most_turns = 10;
   int turns_ = 0;  ///< Repetitions of turn_back() at one crossing.
 };

@@ -27,13 +27,11 @@ struct EventTask {
   std::size_t first, numbers;  ///< Range of signals and states, also discrete ones.
   std::size_t report;          ///< Place of the EventReport.
   bool jumps;                  ///< True if sources may jump; a step then ends just before the jump.
-  bool branches;               ///< True if a block may branch within a stage.
   std::int64_t max_per_step;   ///< Limit of events in a step; beyond it the run ends.
   std::int64_t rounds;         ///< Limit of iterations at an instant.
   std::int64_t looks;          ///< Inner points that are checked for double crossings.
   bool looks_always;           ///< True if they are always checked.
   bool loops;                  ///< True if algebraic loops are solved, so crossing functions have noise.
-  bool lefts;                  ///< True if values just before an instant are read.
   std::size_t control, control_count;  ///< Range of the numbers of a solver's error control.
   double* scratch;                     ///< Memory for scratch_size() numbers.
 

@@ -83,7 +83,8 @@ class WatchedStep {
 
   bool is_eventful(double at, bool at_tick = false) {
     const double length = at - open_;
-    values_[task_.time] = task_.jumps ? left_of(at, length) : at;
+    const bool before = task_.jumps && (at_tick || left_of(edge_, length) <= at);
+    values_[task_.time] = before ? left_of(at, length) : at;
     run_.follow();
     run_.crossings(after_);
     const CrossingPast past(values_ + task_.report + EventReport::count, task_.crossing_count);
