@@ -33,8 +33,8 @@ struct TransportDelay {
   Diagnostic out_of_range{}, full{};
 
   Index rows = 1;
-  double most = 1.0;     // largest stored delay [s]
-  bool changes = false;  // true if the delay is a signal
+  double most = 1.0;          // largest stored delay [s]
+  bool changes = false;       // true if the delay is a signal
   bool holds_passed = false;  // Between instants the output is on the side of them that `passed` says.
   Period period{};
   Time t{};

@@ -126,17 +126,17 @@ namespace {
 void declare_block(Declare<ExpressionBlock>& is) {
   is.block(
       "Expression",
-      {.doc =
-           "A formula over its inputs, element by element. u1 is the first of the list u, u2 the second, "
-           "and u is "
-           "another name for u1. Numbers of the formula may carry units (`u1 > 4 mm`); its value is taken "
-           "as SI, in the unit of what it feeds or of the section `units`. "
-           "For the time feed the output of a Clock. Sums and comparisons of signals with different units "
-           "are "
-           "refused. Blocks of their own are faster. With "
-           "`events: locate` the first four places where it breaks are located: conditions, and the jumps "
-           "and bends of abs, sign, floor, ceil, round, min, max and mod (not the jump of atan2). Between two "
-           "instants the formula keeps the branch of each of these jumps: x*sign(x) is -x, or it is x.",
+      {.doc = "A formula over its inputs, element by element. u1 is the first of the list u, u2 the second, "
+              "and u is "
+              "another name for u1. Numbers of the formula may carry units (`u1 > 4 mm`); its value is taken "
+              "as SI, in the unit of what it feeds or of the section `units`. "
+              "For the time feed the output of a Clock. Sums and comparisons of signals with different units "
+              "are "
+              "refused. Blocks of their own are faster. With "
+              "`events: locate` the first four places where it breaks are located: conditions, and the jumps "
+              "and bends of abs, sign, floor, ceil, round, min, max and mod (not the jump of atan2). Between "
+              "two "
+              "instants the formula keeps the branch of each of these jumps: x*sign(x) is -x, or it is x.",
        .symbol = {.text = "{expression|f(u)}"}});
 }
 
@@ -157,10 +157,8 @@ void ExpressionBlock::declare(Declare<ExpressionBlock>& is) {
   is.output<&ExpressionBlock::y>({.unit = "*", .doc = "the value"});
   for (const char* which : {"first", "second", "third", "fourth"})
     is.crossing<&ExpressionBlock::u>(fmt::format("the {} condition of the formula changes", which));
-  is.state<&ExpressionBlock::modes>({.shape = "k x n",
-                                     .doc = "branches of the formula, jump by jump",
-                                     .settable = false,
-                                     .mode = true});
+  is.state<&ExpressionBlock::modes>(
+      {.shape = "k x n", .doc = "branches of the formula, jump by jump", .settable = false, .mode = true});
   is.derived<&ExpressionBlock::formula>();
   is.derived<&ExpressionBlock::margins>();
   is.derived<&ExpressionBlock::held>();

@@ -76,3 +76,27 @@ TEST_CASE("where an output jumps or has a bend a crossing has changed its sign")
   });
   CHECK(bends > 20);
 }
+
+TEST_CASE("between instants no output jumps, whatever passes its crossings") {
+  std::size_t blocks = 0;
+  for_every_crossing_block([&](const plan::Plan& plan, std::size_t tested, std::size_t) {
+    const BlockType& type = plan.diagram.blocks[tested].type();
+    if (type.steady || type.has_continuous_state()) return;  // not computed there, or the solver's
+    for (std::size_t i = 0; i < type.inputs.size(); ++i) {
+      Bench bench(plan, tested);
+      if (!bench.has(i) || !is_read(type, type.inputs[i].name)) continue;
+      INFO(type.name << "." << type.inputs[i].name);
+      ++blocks;
+      bench.input(i) = 0.01234;
+      bench.outputs_at_instant();
+      double last = bench.output();
+      for (int k = 1; k < 3000; ++k) {
+        bench.input(i) = 3.0 * std::sin(0.00231 * k) + 0.01234;
+        bench.outputs();
+        CHECK(std::abs(bench.output() - last) < 0.05);
+        last = bench.output();
+      }
+    }
+  });
+  CHECK(blocks > 5);
+}

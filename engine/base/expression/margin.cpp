@@ -189,8 +189,8 @@ struct MakeMargin {
   }
 };
 
-Part fold_of(const Expression& formula, const std::function<bool(std::string_view)>& known, const Points& points = {},
-             const std::string& name = "") {
+Part fold_of(const Expression& formula, const std::function<bool(std::string_view)>& known,
+             const Points& points = {}, const std::string& name = "") {
   return fold<Part>(translate(formula.text(), known), MakeMargin{formula.variables(), points, name});
 }
 

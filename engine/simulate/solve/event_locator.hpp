@@ -371,8 +371,8 @@ class EventLocator {
     std::copy_n(slopes_, task_.state_count, values_ + task_.derivatives);
   }
 
-  /// Returns the time just after the first detected crossing, with the states there. The crossing functions at
-  /// the `end` are those of `high_`.
+  /// Returns the time just after the first detected crossing, with the states there. The crossing functions
+  /// at the `end` are those of `high_`.
   double locate(double from, double end) {
     const double width = 1e-12 * length_;
     double low = from, high = end, low_scale = 1.0, high_scale = 1.0;

@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <iterator>
+#include <string>
 #include <vector>
 
 #include "engine/base/expression/margin.hpp"
@@ -57,6 +60,76 @@ TEST_CASE("margins of jumps come before those of bends") {
     const double at[] = {3.0, 4.0, 1.0, 2.0};
     CHECK(branches.margins[i](std::vector{at[i]}) == Approx(0.0).margin(1e-12));
   }
+}
+
+namespace {
+
+/// Returns a held formula's value at x, with its modes from another place.
+double held_at(const Expression& formula, double x, double place) {
+  const Held held = held_of(formula, 4);
+  std::vector<double> values;
+  for (const std::string& name : held.formula.variables()) {
+    const auto mode = std::ranges::find(held.names, name) - held.names.begin();
+    const bool is_mode = mode < std::ssize(held.names);
+    values.push_back(is_mode ? held.modes[static_cast<std::size_t>(mode)](std::vector{place}) : x);
+  }
+  return held.formula(values);
+}
+
+constexpr const char* jumping[] = {"x*sign(x)",
+                                   "x + floor(3*x)",
+                                   "ceil(2*x) + x",
+                                   "x - round(4*x)",
+                                   "mod(x, 0.37)",
+                                   "mod(x, -0.37) + x > 0.2 ? 3*x : x",
+                                   "x > 0.2 && x < 0.6 ? x : -x",
+                                   "x*(!(x <= 0.3) || x == 0.1)",
+                                   "(x > 0 ? x > 0.5 : x < -0.5) ? x : 2",
+                                   "(x ? floor(x) : 2) + sin(x)",
+                                   "abs(x)*sign(x - 0.3)",
+                                   "max(x, sign(x))"};
+
+}  // namespace
+
+TEST_CASE("a held formula has the bits of the formula with the modes of the same place") {
+  for (const char* text : jumping) {
+    const Expression formula(text);
+    CHECK_FALSE(held_of(formula, 4).modes.empty());
+    for (double x = -1.0; x < 1.0; x += 0.0101) {
+      INFO(text << " at " << x);
+      CHECK(held_at(formula, x, x) == formula(std::vector{x}));
+    }
+  }
+}
+
+TEST_CASE("a held formula goes on smoothly beyond its jumps") {
+  for (const char* text : jumping) {
+    const Expression formula(text);
+    for (const double place : {-0.83, -0.17, 0.13, 0.52, 0.77}) {
+      const double h = 0.2;
+      const auto at = [&](double x) { return held_at(formula, x, place); };
+      if (std::string(text).find("max") != std::string::npos ||
+          std::string(text).find("abs") != std::string::npos)
+        continue;  // bends remain
+      INFO(text << " from " << place);
+      const double change = at(place + 2.0 * h) - 3.0 * at(place + h) + 3.0 * at(place) - at(place - h);
+      CHECK(std::abs(change) < 0.02);  // of a jump: more than 0.1
+    }
+  }
+}
+
+TEST_CASE("bends are not held, and a formula without jumps is the same") {
+  for (const char* text : {"abs(x)", "min(x, 0.2)", "sin(x)"}) {
+    const Held held = held_of(Expression(text), 4);
+    CHECK(held.modes.empty());
+    CHECK(held.formula(std::vector{0.7}) == Expression(text)(std::vector{0.7}));
+  }
+}
+
+TEST_CASE("modes of a formula have names that its variables have not") {
+  const Held held = held_of(Expression("mode0 > 1 ? mode0 : mode1"), 4);
+  REQUIRE(held.names.size() == 1);
+  CHECK(held.names.front() == "mode_0");
 }
 
 }  // namespace stepwire::expression

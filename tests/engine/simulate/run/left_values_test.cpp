@@ -85,6 +85,7 @@ TEST_CASE("a branch that turns at a tick leaves the step before it alone") {
   // After a step is at the tick of the threshold, the integral of the branch is 1 s less the threshold, or a
   // step less where rounding delays the branch by a tick.
   for (const char* block : {"{{block: Switch, control: w, threshold: {}, then: 1, else: 0}}",
+                            "{{block: Expression, u: w, expression: \"u > {} ? 1 + 0*u : 0\"}}",
                             "{{block: Quantizer, u: half, interval: 1}}"})
     for (const char* solver : {"rk4", "dormand_prince", "heun"})
       for (const double threshold : {0.1, 0.11, 0.12, 0.13, 0.3}) {
@@ -133,6 +134,38 @@ TEST_CASE("a switch passes a signal on within the steps of a solver") {
     const double right = 1.0 - (5.0 * std::exp(-1.0) - 0.6 * std::exp(-5.0 / 0.6)) / (5.0 - 0.6);
     CHECK(last(yaml, "b") == last(yaml, "c"));
     CHECK(last(yaml, "b") == Approx(right).epsilon(0.03));
+  }
+}
+
+TEST_CASE("a formula that jumps and slows what it drives turns at the instant of its condition") {
+  // From 1 at -3 1/s until 0.3, then at a slower rate.
+  for (const char* solver : {"rk4", "heun", "dormand_prince", "{name: dop853, relative: 1e-9}", "sdirk"})
+    for (const double slow : {-0.01, -0.5, -1.4, -2.9, -30.0})
+      for (const char* formula :
+           {"u > 0.3 ? -3 : {0} + 0*u", "(u <= 0.3 ? {0} : -3) + 0*u", "-3 + ({0} + 3)*(u < 0.3) + 0*u",
+            "({0} - 3)/2 - ({0} + 3)/2*sign(u - 0.3) + 0*u"}) {
+        const std::string rate = fmt::format(fmt::runtime(formula), slow);
+        INFO(solver << " " << rate);
+        const std::string yaml = fmt::format(
+            "step: 10 ms\nstop: 0.31 s\nsolver: {}\nevents: locate\nblocks:\n"
+            "  r: {{block: Expression, u: x, expression: \"{}\"}}\n"
+            "  x: {{block: Integrator, u: r, initial: 1}}\nrecord: [x]\n",
+            solver, rate);
+        CHECK(last(yaml, "x") == Approx(0.3 + slow * (0.31 - 0.7 / 3.0)).margin(1e-11));
+      }
+}
+
+TEST_CASE("a condition on a fast ramp is one event, late in a run and beside a source with edges, too") {
+  // 1000.5 t - 1000 t - 50 is positive from 100 s on.
+  for (const char* criterion : {"greater", "greater_equal"}) {
+    const auto result = result_of(
+        "step: 10 ms\nstop: 101 s\nsolver: rk4\nevents: locate\nblocks:\n"
+        "  p: {block: Pulse, period: 10 s}\n  s: {block: Ramp, slope: 1000 1/s}\n"
+        "  x: {block: Integrator, u: 1000.5}\n  d: {block: Sum, signs: \"+--\", u: [x, s, 50]}\n"
+        "  w: {block: Switch, control: d, then: 1, else: 0, criterion: " +
+        std::string(criterion) + "}\n  sum: {block: Integrator, u: w}\nrecord: [sum]\n");
+    CHECK(result.events.located == 1);
+    CHECK(column(result.recordings.front().table, "sum").back() == Approx(1.0).margin(1e-7));
   }
 }
 
