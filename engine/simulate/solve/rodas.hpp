@@ -82,14 +82,21 @@ class Rodas {
     jacobian_ = -jacobian_;
     jacobian_.diagonal().array() += 1.0 / (step * gamma);
     factors_.compute(jacobian_);
-    const double ahead = time + 0.01 * step;
-    *now = ahead;
-    evaluate();
-    if (ahead > time)
-      slope_time_ = (dot - slope_) / (ahead - time);
-    else
-      slope_time_.setZero();
+    differentiate_by_time(dot, now, time, step, evaluate);
     dot = slope_;
+  }
+  /// A difference of two evaluations would reduce the order to 2, so three are combined.
+  template <class Dot, class Evaluate>
+  void differentiate_by_time(Dot& dot, double* now, double time, double step, const Evaluate& evaluate) {
+    const double near = time + 0.001 * step, far = time + 0.002 * step, a = near - time, b = far - time;
+    slope_time_.setZero();
+    if (!(near > time && far > near)) return;
+    *now = near;
+    evaluate();
+    slope_time_ = (dot - slope_) * (b / (a * (b - a)));
+    *now = far;
+    evaluate();
+    slope_time_ -= (dot - slope_) * (a / (b * (b - a)));
   }
 
   Vector start_, slope_, slope_time_, right_;

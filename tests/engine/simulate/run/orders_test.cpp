@@ -10,8 +10,9 @@ namespace stepwire::run {
 namespace {
 
 const std::pair<const char*, double> orders[] = {
-    {"euler", 1.0},      {"heun", 2.0}, {"bogacki_shampine", 3.0}, {"rk4", 4.0}, {"dormand_prince", 5.0},
-    {"rosenbrock", 2.0}, {"sdirk", 3.0}};
+    {"euler", 1.0}, {"heun", 2.0},           {"bogacki_shampine", 3.0},
+    {"rk4", 4.0},   {"dormand_prince", 5.0}, {"rosenbrock", 2.0},
+    {"sdirk", 3.0}, {"rodas", 4.0},          {"radau", 5.0}};
 
 /// The order at which the error of x at the end falls from one step to half of it.
 double order_of(const std::string& diagram, const std::string& solver, double step, double right) {
@@ -36,6 +37,15 @@ const std::string falling =
     "  x: {block: Integrator, u: square, initial: 1, reset: back}\n";
 
 }  // namespace
+
+TEST_CASE("behind a source that moves each solver has its order") {
+  // x' = sin(w t) - x from 1, with 0.5 Hz.
+  const double w = std::acos(-1.0), part = 1.0 / (1.0 + w * w), t = 2.0;
+  require_order(
+      "stop: 2 s\nblocks:\n  s: {block: Sine, frequency: 0.5 Hz}\n  d: {block: Sum, signs: +-, u: [s, x]}\n"
+      "  x: {block: Integrator, u: d, initial: 1}\n",
+      0.1, (1.0 + part * w) * std::exp(-t) + part * (std::sin(w * t) - w * std::cos(w * t)));
+}
 
 TEST_CASE("with a reset on a tick each solver keeps its order") {
   require_order("stop: 1 s\nblocks:\n  now: {block: Clock}\n" + falling +
