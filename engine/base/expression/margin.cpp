@@ -171,7 +171,7 @@ struct MakeMargin {
   /// Returns the text of a remainder whose quotient is held. Where the quotient has not changed it has the
   /// bits of the remainder.
   static std::string held_rest(const std::string& rest, const std::string& quotient, const Parts& of) {
-    return fmt::format("({0} + {2}*({3} - round(({1} - {0})/{2})))", rest, of[0].held, of[1].held, quotient);
+    return fmt::format("({0} + {2}*(round(({1} - {0})/{2}) - {3}))", rest, of[0].held, of[1].held, quotient);
   }
   Part prefix(std::string_view sign, const Parts& of) const {
     const std::string text = fmt::format("({}{})", sign, of[0].value);

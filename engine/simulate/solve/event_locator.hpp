@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 #include "engine/simulate/solve/bracket.hpp"
 #include "engine/simulate/solve/crossing_signs.hpp"
@@ -26,8 +27,8 @@ enum class Reach { tick, edge, inside };
 /// Repeats a step of the solver from event to event. An event is an edge that a source has declared, or a
 /// crossing: an instant at which a number changes its sign. 0 is a sign of its own. A crossing is bracketed
 /// between two times, each the end of a solver step from the last event. The Illinois method (Dowell and
-/// Jarratt 1971, BIT 11) with every fourth iteration a bisection reduces the bracket to 1e-12 of the step or
-/// to the last bit. The later time is the event.
+/// Jarratt 1971, BIT 11), with a bisection where it is slow, reduces the bracket to 1e-12 of the step or to
+/// the last bit. The later time is the event.
 ///
 /// Functions of a `Run`: advance(from, to, length) integrates the states of the workspace, with their
 /// derivatives. Function follow() computes all that crossings depend on, crossings(numbers) the crossing
@@ -371,24 +372,37 @@ class EventLocator {
     std::copy_n(slopes_, task_.state_count, values_ + task_.derivatives);
   }
 
+  /// Weights of both ends of a bracket. Illinois rule: that of an end which is kept twice is halved, so that
+  /// the next guess is nearer to it.
+  struct Weights {
+    void follow(bool moves_high) {
+      double& kept = moves_high ? low : high;
+      kept = moves_high == moved_high ? 0.5 * kept : 1.0;
+      (moves_high ? high : low) = 1.0;
+      moved_high = moves_high;
+    }
+    double low = 1.0, high = 1.0;
+    std::optional<bool> moved_high{};
+  };
+
   /// Returns the time just after the first detected crossing, with the states there. The crossing functions
   /// at the `end` are those of `high_`.
   double locate(double from, double end) {
     const double width = 1e-12 * length_;
-    double low = from, high = end, low_scale = 1.0, high_scale = 1.0;
+    double low = from, high = end, wide = high - low;
+    Weights weights;
     std::copy_n(start_, task_.crossing_count, low_);
     std::copy_n(high_, task_.crossing_count, ends_);
     for (int k = 0; high - low > width && std::nextafter(low, high) < high; ++k) {
-      const double at =
-          k % 4 == 3 ? low + 0.5 * (high - low) : guess(low, high, low_scale, high_scale, width, k == 0);
+      if (k % 4 == 0) wide = high - low;
+      const bool is_slow = k % 4 == 3 && high - low > 0.25 * wide;
+      const double at = is_slow ? low + 0.5 * (high - low) : guess(low, high, weights, width, k % 2 == 0);
       go_back();
       go(from, at, at - from, trial_);
       const bool at_high = sign_passes(start_, trial_, ends_, task_.crossing_count);
       (at_high ? high : low) = at;
       std::copy_n(trial_, task_.crossing_count, at_high ? high_ : low_);
-      // Illinois rule: the value of the retained end is halved, so that the next guess is on its side.
-      low_scale = at_high ? 0.5 * low_scale : 1.0;
-      high_scale = at_high ? 1.0 : 0.5 * high_scale;
+      weights.follow(at_high);
     }
     run_.forget_fault();
     go_back();
@@ -397,10 +411,9 @@ class EventLocator {
   }
 
   /// Returns the first zero of the secants, at least half the width or one bit away from both ends.
-  double guess(double low, double high, double low_scale, double high_scale, double width,
-               bool at_once) const {
+  double guess(double low, double high, const Weights& weights, double width, bool at_once) const {
     const double first =
-        first_secant(start_, low_, high_, task_.crossing_count, low_scale, high_scale, at_once);
+        first_secant(start_, low_, high_, task_.crossing_count, weights.low, weights.high, at_once);
     const double margin = std::min(0.5 * width, 0.25 * (high - low));
     const double at = std::clamp(low + first * (high - low), low + margin, high - margin);
     return std::clamp(at, std::nextafter(low, high), std::nextafter(high, low));
