@@ -192,4 +192,20 @@ TEST_CASE("an angle per time is no frequency in Hz, nor the other way round") {
   CHECK(fault("Sine, frequency: 3 kHz").empty());
 }
 
+TEST_CASE("a bound without unit is refused beside a value in a unit other than SI") {
+  const auto fault = [](const std::string& parameter) {
+    const auto all =
+        faults_of("parameters:\n  k: " + parameter + "\nblocks:\n  c: {block: Constant, value: $k}\n");
+    return all.empty() ? std::string() : all.front();
+  };
+  CHECK(fault("{value: 5 mm, at_most: 10}") ==
+        "test.yaml:2:26: k.at_most: 10 has no unit, but the value is in mm; write 10 mm");
+  CHECK_THAT(fault("{value: 5, unit: mm, above: 1}"), Catch::Contains("write 1 mm"));
+  CHECK_THAT(fault("{value: [5 mm, 6 mm], below: 7}"), Catch::Contains("write 7 mm"));
+  CHECK_THAT(fault("{value: 20 degC, at_most: 30}"), Catch::Contains("write 30 degC"));
+  for (const char* right : {"{value: 5 mm, at_least: 0, at_most: 1 cm}", "{value: 5 m, at_most: 10}",
+                            "{value: 5, at_most: 10}", "{value: 50 %, at_most: 1}"})
+    CHECK(fault(right) == "");
+}
+
 }  // namespace stepwire::diagram
