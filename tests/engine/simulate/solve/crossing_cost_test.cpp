@@ -46,7 +46,7 @@ struct Found {
 };
 
 /// Takes one step from x0 at a time of the run.
-Found step_from(double time, double x0, double (*field)(double)) {
+Found step_from(double time, double x0, double (*field)(double x, double mode)) {
   std::vector<double> numbers(32, 0.0), scratch(64, 0.0);
   numbers[0] = time;
   numbers[1] = scratch[0] = scratch[2] = x0;
