@@ -193,8 +193,8 @@ TEST_CASE("an element that is no number, or does not fit its signal, is named") 
   const auto fault = [](const std::string& block) { return faults_of(pendulum + "  " + block + "\n").at(0); };
   CHECK(fault("c: {block: Constant, value: [5 m, x]}") ==
         "test.yaml:9:37: c.value: element 2 of the list: 'x' is not allowed; it must be a finite number");
-  CHECK(fault("c: {block: Constant, value: [2 fathoms, 1]}") ==
-        "test.yaml:9:32: c.value: element 1 of the list: 'fathoms' is no unit; a product of units is written "
+  CHECK(fault("c: {block: Constant, value: [2 foo, 1]}") ==
+        "test.yaml:9:32: c.value: element 1 of the list: 'foo' is no unit; a product of units is written "
         "N s or N.s");
   CHECK(fault("c: {block: Constant, value: [1, \"2\"]}") ==
         "test.yaml:9:35: c.value: element 2 of the list: '2' is text because of its quotes; leave them out "
