@@ -259,7 +259,7 @@ TEST_CASE("elements of swept lists have units together") {
   CHECK_THAT(refused("[[1 mm, 10 deg], [3, 20 deg]]"), Catch::Contains("sweep.k: 3 has no unit beside 1 mm"));
   CHECK_THAT(refused("[[1 mm, 10 deg], [3 mm, 20]]"), Catch::Contains("20 has no unit beside 10 deg"));
   CHECK(refused("[[1 mm, 10 deg], [3 mm, 20 deg]]").empty());
-  CHECK(refused("[[1 mm, 10 deg], [0, 20 deg]]").empty());
+  CHECK(refused("[[1 mm, 10 deg], [0 mm, 20 deg]]").empty());
 }
 
 }  // namespace stepwire::run
