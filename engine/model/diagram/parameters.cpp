@@ -217,6 +217,8 @@ bool ValueReader::refuse_given(const WrittenValue& written) const {
 std::optional<WrittenValue> ValueReader::read(const yaml::Node& written, const std::string& subject) const {
   const yaml::Node node = with_formulas(written, false);
   if (node.is_map()) return read_with_unit(node, subject);
+  const yaml::Node* place = nullptr;
+  if (const auto fault = bare_element(node, place)) return refuse(*place, subject, *fault);
   if (node.is_list()) return read_list(node, subject);
   if (node.is_scalar()) return read_scalar(node, subject);
   return refuse(node, subject, "has no value");
@@ -252,8 +254,6 @@ std::optional<WrittenValue> ValueReader::read_text(const yaml::Node& node, const
 
 std::optional<WrittenValue> ValueReader::read_list(const yaml::Node& node, const std::string& subject) const {
   if (!node.items.empty() && node.items.front().is_list()) return read_rows(node, subject);
-  const yaml::Node* place = nullptr;
-  if (const auto fault = bare_element(node, place)) return refuse(*place, subject, *fault);
   std::vector<WrittenValue> elements;
   for (const yaml::Node& item : node.items) {
     auto element = item.is_scalar() ? read_scalar(item, subject)
