@@ -165,7 +165,9 @@ void read_between(const yaml::Node& node, Claim& claim, const query::NamesReadin
   const auto* ends = read.pair(node, yaml::like("[3.1 N, 3.3 N]", {}));
   if (!ends) return;
   const yaml::Node &first = ends->front(), &second = ends->back();
+  const bool has_unit = !claim.comparison.unit.empty();
   const auto low = read_compared(first, claim, read), high = read_compared(second, claim, read);
+  if (!has_unit) refuse_bare(first, claim.comparison.unit, read);  // which the second end may have given
   if (low && high && *low > *high)
     read.fault(node.mark,
                fmt::format("{} is above {}; the smaller number comes first", first.text, second.text));
@@ -183,6 +185,7 @@ void read_within(Claim& claim, const yaml::Node& node, const query::NamesReading
   if (!number || comparison.kind != Comparison::Kind::equals) return;
   const bool relative = number->unit == "%";
   if (!relative) check_unit(*number, node, claim, difference_dimension(claim), read);
+  if (!relative) refuse_bare(node, (has_offset(comparison.unit) ? "delta_" : "") + comparison.unit, read);
   if (relative && has_offset(comparison.unit))
     read.fault(node.mark,
                fmt::format("{} of a temperature in {} is a share of its kelvins; give a tolerance in K",

@@ -283,6 +283,8 @@ void declare(Record<TrimResult>& is) {
   is.field("converged", &TrimResult::converged, "true at an operating point");
   is.field("iterations", &TrimResult::iterations, "number of iterations");
   is.field("residual", &TrimResult::largest, "largest residual, each as a share of 1 or of its number");
+  is.field("undetermined", &TrimResult::undetermined,
+           "number of free numbers that the conditions leave open: above 0 the point is one of many");
   is.field("states", &TrimResult::states, "states");
   is.field("inputs", &TrimResult::inputs, "inputs");
   is.field("outputs", &TrimResult::outputs, "outputs");

@@ -9,6 +9,7 @@
 
 #include "engine/analyse/linear/slopes.hpp"
 #include "engine/analyse/linear/working_point.hpp"
+#include "engine/model/diagram/bare_number.hpp"
 #include "engine/model/diagram/block_keys.hpp"
 
 namespace stepwire::linear {
@@ -60,6 +61,7 @@ class Search {
     }
     result.largest = size_of(residual);
     result.converged = result.largest <= close_enough;
+    if (result.converged) result.undetermined = undetermined();
     for (std::size_t e = 0; e < equations_.size(); ++e)
       result.residuals.emplace_back(channel_of(equations_[e]), residual[static_cast<Eigen::Index>(e)]);
     return result;
@@ -125,6 +127,20 @@ class Search {
                                                      .value;
     }
     return slopes;
+  }
+
+  /// Returns how many free numbers the equations leave open: the unknowns less the rank of their slopes.
+  std::size_t undetermined() {
+    constexpr double share_of_rounding = 1e-6;  // of slopes by differences
+    Eigen::MatrixXd slopes = jacobian();
+    if (!slopes.allFinite()) return 0;
+    for (auto row : slopes.rowwise())
+      if (row.norm() > 0.0) row /= row.norm();
+    for (auto column : slopes.colwise())
+      if (column.norm() > 0.0) column /= column.norm();
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(slopes);
+    factors.setThreshold(share_of_rounding);
+    return unknowns_.size() - static_cast<std::size_t>(slopes.size() > 0 ? factors.rank() : 0);
   }
 
   /// Tries one Levenberg-Marquardt step; false, with the values restored, if the residuals do not fall.
@@ -223,6 +239,8 @@ EntryTable entry_table(const std::string& unit) {
         [number](TrimEntry& entry, const yaml::Node& node, const query::NamesReading& read) {
           const auto* ends = read.pair(node, yaml::like("[-1 m, 1 m]", {}));
           if (!ends) return;
+          const yaml::Node* place = nullptr;
+          if (auto fault = diagram::bare_element(node, place)) read.fault(place->mark, std::move(*fault));
           read.take((*ends)[0], number, entry.lower);
           read.take((*ends)[1], number, entry.upper);
         }},

@@ -43,6 +43,7 @@ struct TrimResult {
   double largest = 0.0;  ///< Largest residual, each as a share of 1 or of its number.
   bool converged = false;
   std::size_t iterations = 0;
+  std::size_t undetermined = 0;  ///< Free numbers that the conditions leave open: the point is one of many.
 };
 
 const yaml::Key& trim_form();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/base/unit/meaning.hpp"
+#include "engine/model/diagram/bare_number.hpp"
 
 namespace stepwire::query {
 namespace {
@@ -35,14 +36,6 @@ std::string unit_of_temperature(const std::string& text, const SymbolTable& name
   const auto found = std::ranges::find(names.parameters, name, &KnownParameter::name);
   const auto unit = found == names.parameters.end() ? std::nullopt : unit::parse_unit(found->unit);
   return unit && unit->offset != 0.0L ? found->unit : "";
-}
-
-/// Adds a fault for an unknown key. The message differs if the key looks like the rest of a broken
-/// expression.
-void add_unknown_key(const yaml::Entry& entry, const std::vector<std::string>& known,
-                     const std::string& owner, const SymbolTable& names, const std::string& subject,
-                     yaml::Faults& faults) {
-  faults.add({{names.file, entry.mark}, subject, yaml::unknown_key(entry.key, known, owner), {}});
 }
 
 }  // namespace
@@ -102,12 +95,7 @@ void check_dimension(const WantedNumber& number, const std::optional<unit::Dimen
 
 std::optional<yaml::Message> bare_number(const std::string& text, const std::string& unit,
                                          const std::string& what) {
-  const auto shown = unit::parse_unit(unit);
-  const auto number = unit::parse_quantity(text);
-  if (!shown || unit == "%" || (shown->scale == 1.0L && shown->offset == 0.0L)) return std::nullopt;
-  if (!number || number->dimension || number->value == 0.0 || !std::isfinite(number->value))
-    return std::nullopt;
-  return yaml::fault_text("{} has no unit, but {} is in {}; write {} {}", text, what, unit, text, unit);
+  return diagram::bare_number(text, unit, what);
 }
 
 std::string read_text(const yaml::Node& node, const SymbolTable& names, const std::string& subject,

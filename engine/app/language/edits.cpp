@@ -381,7 +381,7 @@ std::string cut_loop(TreeEdits& edits, const yaml::Document& document, const Cut
   const bool has_figure = document.root.find("figure") != nullptr;
   if (!has_figure) add_analysis();
   edits.add_below(document.root, "figure", "",
-                  fmt::format("{{plot: bode, of: {}, title: The loop cut behind {}}}", name, signal));
+                  fmt::format("{{plot: bode, of: {}, title: The loop opened at {}}}", name, signal));
   if (has_figure) add_analysis();
   return name;
 }

@@ -208,6 +208,10 @@ std::string trim_text(const linear::TrimResult& result) {
   std::string text = fmt::format(
       "{}: {} after {}, largest residual {}\n\n{}", result.file, result.converged ? "found" : "NOT found",
       text::counted(result.iterations, "step"), query::short_number(result.largest, 3), text::text(table));
+  if (result.undetermined > 0)
+    text += fmt::format(
+        "note: the point is one of many, since the conditions leave {} open; fix one, or give an output\n",
+        text::counted(result.undetermined, "free number"));
   if (result.converged) return text;
   for (const auto& [channel, value] : result.residuals)
     text += fmt::format("  {} is off by {}\n", channel.name, query::short_number(value, 4));

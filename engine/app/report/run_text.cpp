@@ -10,6 +10,8 @@
 #include "engine/base/text/characters.hpp"
 #include "engine/base/text/count.hpp"
 #include "engine/base/unit/meaning.hpp"
+#include "engine/base/yaml/document.hpp"
+#include "engine/model/diagram/bare_number.hpp"
 #include "engine/model/diagram/block_keys.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/parameters.hpp"
@@ -30,15 +32,35 @@ std::string verdict_line(const claim::Verdict& verdict) {
                          : fmt::format("; {}: {}", verdict.word(), text::visible(verdict.disagrees)));
 }
 
+/// Unit of a value, or those of its elements where these are in several.
+struct UnitOfValue {
+  std::optional<unit::Dimension> dimension;
+  diagram::EachUnit each{};
+};
+
 /// True for a number, a list or a formula without any unit: "2e-3", "[1, 2]", "3*2".
 bool is_bare(const std::string& setting) {
   if (const auto quantity = unit::parse_quantity(setting)) return !quantity->dimension;
   return setting.find_first_not_of("0123456789eE+-*/^.,[]() ") == std::string::npos;
 }
 
+/// Returns a line for each number without unit in a list: "k.2 = 3 m".
+std::string lines_of_elements(const std::string& name, const yaml::Node& list, const UnitOfValue& unit) {
+  std::string lines;
+  for (std::size_t k = 0; k < list.items.size(); ++k) {
+    const auto dimension = k < unit.each.size() ? unit.each[k] : unit.dimension;
+    if (diagram::is_bare(list.items[k]) && dimension && *dimension != unit::Dimension{})
+      lines += fmt::format("  set  {}.{} = {} {}\n", text::visible(name), k + 1, list.items[k].text,
+                           unit::si_name(*dimension));
+  }
+  return lines;
+}
+
 /// Returns the line of a setting without unit, which is taken in SI; "" for other settings.
-std::string setting_line(const std::string& name, const std::string& setting,
-                         const std::optional<unit::Dimension>& dimension) {
+std::string setting_line(const std::string& name, const std::string& setting, const UnitOfValue& unit) {
+  const auto& dimension = unit.dimension;
+  if (setting.starts_with('[') && (!is_bare(setting) || !unit.each.empty()))
+    return lines_of_elements(name, yaml::parse_document(setting, name).root, unit);
   if (!is_bare(setting) || !dimension || *dimension == unit::Dimension{}) return "";
   const auto quantity = unit::parse_quantity(setting);
   if (quantity && quantity->value == 0.0 && !unit::is_temperature(*dimension)) return "";
@@ -47,23 +69,24 @@ std::string setting_line(const std::string& name, const std::string& setting,
                      unit::si_name(*dimension));
 }
 
-/// Returns the unit of a block's own value, "rig.spring.gain"; std::nullopt if it has none.
-std::optional<unit::Dimension> unit_of_value(const diagram::Diagram& diagram, const std::string& name) {
+/// Returns the unit of a block's own value, "rig.spring.gain".
+UnitOfValue unit_of_value(const diagram::Diagram& diagram, const std::string& name) {
   const std::size_t dot = name.rfind('.');
-  if (dot == std::string::npos) return std::nullopt;
+  if (dot == std::string::npos) return {};
   const auto has_name = [&](const diagram::DiagramBlock& block) { return block.name == name.substr(0, dot); };
   const auto block = std::ranges::find_if(diagram.blocks, has_name);
-  if (block == diagram.blocks.end()) return std::nullopt;
+  if (block == diagram.blocks.end()) return {};
   const BlockType& type = block->type();
   const std::string key = name.substr(dot + 1);
   if (const int state = diagram::state_of_key(type, key); state >= 0)
-    return diagram.state_dimensions[static_cast<std::size_t>(block - diagram.blocks.begin())]
-                                   [static_cast<std::size_t>(state)];
+    return {diagram.state_dimensions[static_cast<std::size_t>(block - diagram.blocks.begin())]
+                                    [static_cast<std::size_t>(state)]};
   const ParameterSpec* parameter = type.parameter(key);
-  if (!parameter) return std::nullopt;
-  const auto& written =
-      block->parameter_dimensions[static_cast<std::size_t>(parameter - type.parameters.data())];
-  return written ? written : diagram::demanded_dimension(*parameter);
+  if (!parameter) return {};
+  const auto index = static_cast<std::size_t>(parameter - type.parameters.data());
+  if (const diagram::EachUnit* each = block->elements_of(index)) return {{}, *each};
+  const auto& written = block->parameter_dimensions[index];
+  return {written ? written : diagram::demanded_dimension(*parameter)};
 }
 
 /// Returns a line for each value that a call sets by a number without unit. Later settings replace earlier
@@ -72,7 +95,8 @@ std::string settings_text(const session::LoadedModel& model) {
   const diagram::Diagram& diagram = model.job.plan.diagram;
   std::string text;
   for (const diagram::DiagramParameter& parameter : diagram.parameters)
-    if (parameter.set) text += setting_line(parameter.name, parameter.text, parameter.dimension);
+    if (parameter.set)
+      text += setting_line(parameter.name, parameter.text, {parameter.dimension, parameter.each});
   std::map<std::string, std::string> of_blocks;
   for (const diagram::Setting& setting : model.options.settings) of_blocks[setting.name] = setting.value;
   for (const auto& [name, value] : of_blocks) text += setting_line(name, value, unit_of_value(diagram, name));

@@ -118,7 +118,7 @@ const std::vector<std::string> bound_keys = {"above", "at_least", "below", "at_m
 
 void note_giver(WrittenValue& value, const Definition& definition, const std::string& full_name,
                 const Origin& origin) {
-  if (!value.value.text()) return;
+  if (!value.value.text() && !std::holds_alternative<Value::List>(value.value.content)) return;
   const unit::Dimension dimension = definition.dimension.value_or(unit::Dimension{});
   value.given = {origin, full_name, dimension == unit::Dimension{} ? "" : " " + unit::si_name(dimension)};
 }

@@ -171,8 +171,33 @@ yaml::Message no_value(const ParameterSpec& spec, const WrittenValue& written, c
     return yaml::fault_text("'{}' is no unit; a product of units is written N s or N.s", unit);
   if (node.is_list() && node.items.empty())
     return fmt::format("the list is empty; it must be {}", wanted(spec.kind));
-  const std::string what = node.is_scalar() ? "'" + written.text + "'" : written.text;
+  const std::string what = node.is_scalar() && written.value.text() ? "'" + written.text + "'" : written.text;
   return yaml::fault_text("{} is not allowed; it must be {}", what, wanted(spec.kind));
+}
+
+/// Returns the index of the first element of a list that is no number; std::nullopt without one. `node` is
+/// the list, or the name of a parameter.
+std::optional<std::size_t> first_word(const WrittenValue& written, const yaml::Node& node) {
+  const auto* list = std::get_if<Value::List>(&written.value.content);
+  for (std::size_t k = 0; list && k < list->size(); ++k)
+    if ((node.is_list() && node.items[k].quoted) || !unit::parse_quantity(*(*list)[k].text())) return k;
+  return std::nullopt;
+}
+
+/// Returns the fault of an element of a list that is no number.
+yaml::Message no_number(const WrittenValue& list, std::size_t element, const yaml::Node& node,
+                        const ParameterScope& parameters) {
+  yaml::Node word;
+  word.kind = yaml::Node::Kind::scalar;
+  word.text = *std::get<Value::List>(list.value.content)[element].text();
+  word.quoted = node.is_list() && node.items[element].quoted;
+  ParameterSpec number;
+  number.kind = ParameterKind::number;
+  yaml::Message message = word.quoted && unit::parse_quantity(word.text)
+                              ? quoted_number(word.text)
+                              : no_value(number, {{word.text}, {}, word.text}, word, parameters);
+  message.wrong = fmt::format("element {} of the list: ", element + 1) + message.wrong;
+  return message;
 }
 
 }  // namespace
@@ -243,6 +268,12 @@ std::optional<Value> ValueReader::convert(const ParameterSpec& spec, const Writt
   if (spec.kind == ParameterKind::matrix)
     if (auto matrix = as_matrix(value)) return matrix;
   if (spec.kind != ParameterKind::flag && refuse_given(written)) return std::nullopt;
+  if (const auto word = first_word(written, node)) {
+    yaml::Message message = no_number(written, *word, node, parameters_);
+    if (!written.given) return refuse(node.is_list() ? node.items[*word] : node, subject, std::move(message));
+    report_.add(written.given->origin, written.given->name, std::move(message));
+    return std::nullopt;
+  }
   if (node.quoted && unit::parse_quantity(node.text)) return refuse(node, subject, quoted_number(node.text));
   return refuse(node, subject, no_value(spec, written, node, parameters_));
 }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/base/yaml/yaml_text.hpp"
+#include "engine/model/diagram/bare_number.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/keys.hpp"
 
@@ -130,6 +131,7 @@ class Definitions {
     const bool set = replace(entry, full, made, written);
     if (!written) return std::nullopt;
     made.bounds = bounds_of(entry.value);
+    if (!have_units(made.bounds, entry.value, full)) return std::nullopt;
     for (yaml::Entry& bound : made.bounds) bound.value = reader.with_formulas(bound.value, true);
     if (!accepts(made, scope_.parameters, *written, value_origin_, full, made.uses, report_))
       return std::nullopt;
@@ -153,6 +155,20 @@ class Definitions {
       if (const yaml::Node* limit = node.is_map() ? node.find(key) : nullptr)
         bounds.push_back({key, {}, *limit});
     return bounds;
+  }
+
+  /// Refuses bounds without unit beside a value in a unit other than SI: 10 beside 5 mm would be 10 m.
+  bool have_units(const std::vector<yaml::Entry>& bounds, const yaml::Node& definition,
+                  const std::string& full) {
+    if (bounds.empty()) return true;
+    const yaml::Node* unit = definition.find("unit");
+    const std::string written = unit ? unit->text : unit_as_written(*definition.find("value"));
+    for (const yaml::Entry& bound : bounds)
+      if (auto fault = bare_number(bound.value.text, written, "the value")) {
+        report_.add(scope_.at(bound.value.mark), full + "." + bound.key, std::move(*fault));
+        return false;
+      }
+    return true;
   }
 
   /// Reads the values that the using file and the call give in place of the file's own. Returns true if the

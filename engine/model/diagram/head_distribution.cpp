@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -283,29 +283,24 @@ class RangeReading {
 
 }  // namespace
 
-std::optional<WrittenNumber> written_number(const yaml::Node& node) {
-  if (!node.is_scalar() || !unit::parse_quantity(node.text)) return std::nullopt;
-  const std::size_t sign = node.text.starts_with('+') ? 1 : 0;
-  double number = 0.0;
-  const char* const end = node.text.data() + node.text.size();
-  const char* rest = std::from_chars(node.text.data() + sign, end, number).ptr;
-  while (rest != end && *rest == ' ') ++rest;
-  return WrittenNumber{number, std::string(rest, end)};
-}
-
 bool have_units_together(const std::vector<const yaml::Node*>& numbers, const std::string& subject,
                          const Scope& scope, Report& report) {
   const auto has_unit = [](const yaml::Node* node) {
     const auto written = written_number(*node);
     return written && !written->unit.empty() && written->unit != "%" && written->unit != "1";
   };
-  const auto with_unit = std::ranges::find_if(numbers, has_unit);
-  if (with_unit == numbers.end()) return true;
   bool together = true;
+  std::vector<std::vector<const yaml::Node*>> elements;  // of lists, by place
+  for (const yaml::Node* node : numbers)
+    for (std::size_t k = 0; node->is_list() && k < node->items.size(); ++k) {
+      elements.resize(std::max(elements.size(), k + 1));
+      elements[k].push_back(&node->items[k]);
+    }
+  for (const auto& place : elements)
+    together = have_units_together(place, subject, scope, report) && together;
+  const auto with_unit = std::ranges::find_if(numbers, has_unit);
   for (const yaml::Node* node : numbers) {
-    const auto written = written_number(*node);
-    if (!written || !written->unit.empty() || written->number == 0.0 || !std::isfinite(written->number))
-      continue;
+    if (with_unit == numbers.end() || !is_bare(*node)) continue;
     together = false;
     report.add(scope.at(node->mark), subject,
                yaml::fault_text("{} has no unit beside {}; write {} {}", node->text, (*with_unit)->text,

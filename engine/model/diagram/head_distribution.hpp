@@ -5,18 +5,12 @@
 #include <vector>
 
 #include "engine/base/sampling/distribution.hpp"
+#include "engine/model/diagram/bare_number.hpp"
 #include "engine/model/diagram/diagram.hpp"
 #include "engine/model/diagram/report.hpp"
 #include "engine/model/diagram/scope.hpp"
 
 namespace stepwire::diagram {
-
-/// A number and its unit as written: "5 mm" is {5, "mm"}.
-struct WrittenNumber {
-  double number = 0.0;
-  std::string unit;
-};
-std::optional<WrittenNumber> written_number(const yaml::Node& node);
 
 /// Distribution of a swept parameter, in the unit of its first number.
 struct SpreadParameter {
@@ -31,7 +25,7 @@ struct SpreadParameter {
 };
 
 /// Adds a fault for each number without unit, except 0, beside numbers with units, and returns false after
-/// one. Formulas and words have no unit of their own.
+/// one. Lists are compared element by element. Formulas and words have no unit of their own.
 bool have_units_together(const std::vector<const yaml::Node*>& numbers, const std::string& subject,
                          const Scope& scope, Report& report);
 

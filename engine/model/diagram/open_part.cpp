@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "engine/base/yaml/message.hpp"
+#include "engine/model/diagram/bare_number.hpp"
 #include "engine/model/diagram/bus_fields.hpp"
 #include "engine/model/diagram/external_input.hpp"
 #include "engine/model/diagram/guard_keys.hpp"
@@ -82,9 +83,19 @@ void Opener::declare_ports(Scope& scope) {
 std::optional<unit::Dimension> Opener::declared_unit(const Scope& scope, const yaml::Entry& port) {
   const yaml::Node* unit = port.value.is_map() ? port.value.find("unit") : nullptr;
   if (!unit) return std::nullopt;
-  if (const auto parsed = unit::parse_unit(unit->text)) return parsed->dimension;
-  report_.add(scope.at(unit->mark), scope.prefix + port.key, fmt::format("'{}' is no unit", unit->text));
-  return std::nullopt;
+  const auto refuse = [&](const yaml::Mark& mark, const yaml::Message& message) {
+    report_.add(scope.at(mark), scope.prefix + port.key, message);
+    return std::nullopt;
+  };
+  if (!unit->is_scalar()) return refuse(unit->mark, "has one unit; a bus has 'fields' with a unit for each");
+  const auto parsed = unit::parse_unit(unit->text);
+  if (!parsed) return refuse(unit->mark, fmt::format("'{}' is no unit", unit->text));
+  for (const char* key : {"default", "safe"})
+    if (const yaml::Node* value = port.value.find(key))
+      for (const yaml::Node& number : value->as_list())
+        if (auto fault = bare_number(number.text, unit->text, "the port"))
+          return refuse(number.mark, std::move(*fault));
+  return parsed->dimension;
 }
 
 std::optional<std::pair<Eigen::Index, Eigen::Index>> Opener::declared_shape(const Scope& scope,

@@ -12,6 +12,7 @@
 #include "engine/base/text/count.hpp"
 #include "engine/base/unit/meaning.hpp"
 #include "engine/base/yaml/message.hpp"
+#include "engine/model/diagram/bare_number.hpp"
 #include "engine/model/diagram/element_index.hpp"
 #include "engine/model/diagram/formula_units.hpp"
 #include "engine/model/diagram/quoted_number.hpp"
@@ -204,7 +205,7 @@ std::nullopt_t ValueReader::refuse(const yaml::Node& node, const std::string& su
 }
 
 bool ValueReader::refuse_given(const WrittenValue& written) const {
-  if (!written.given) return false;
+  if (!written.given || !written.value.text()) return false;
   report_.add(written.given->origin, written.given->name,
               unit::parse_quantity(written.text)
                   ? quoted_number(written.text)
@@ -216,6 +217,8 @@ bool ValueReader::refuse_given(const WrittenValue& written) const {
 std::optional<WrittenValue> ValueReader::read(const yaml::Node& written, const std::string& subject) const {
   const yaml::Node node = with_formulas(written, false);
   if (node.is_map()) return read_with_unit(node, subject);
+  const yaml::Node* place = nullptr;
+  if (const auto fault = bare_element(node, place)) return refuse(*place, subject, *fault);
   if (node.is_list()) return read_list(node, subject);
   if (node.is_scalar()) return read_scalar(node, subject);
   return refuse(node, subject, "has no value");

@@ -29,11 +29,11 @@ class Inference : UnitTerms {
     open().join(equations_);
     equations_.solve(variable_count(), [this](const UnitEquation& equation, const unit::Dimension& wrong,
                                               const std::optional<MissedElement>& element) {
-      const bool is_one = equation.constant.is_one();
-      if (element && is_one) return faults_.add_number(equation, wrong, element->unit);
+      if (element && equation.constant.is_one()) return faults_.add_number(equation, wrong, element->unit);
       if (element) return faults_.add_element(equation, element->index, wrong, element->unit);
-      if (is_one) return faults_.add(equation, wrong, dimension_at(equation));
-      add_fault_of_element(equation);
+      const auto product = equations_.dimension_of(equation);
+      if (!product || product->is_one()) return faults_.add(equation, wrong, dimension_at(equation));
+      add_fault_of_element(equation, *product);
     });
     check_elements();
     store();
@@ -200,13 +200,12 @@ class Inference : UnitTerms {
     return equations_.dimension_of(equation);
   }
 
-  /// Reports the first of several numbers whose unit does not fit its element.
-  void add_fault_of_element(const UnitEquation& equation) {
-    const auto wrong = equations_.dimension_of(equation);
+  /// Reports the first element whose unit does not fit; `wrong` has the units of the product.
+  void add_fault_of_element(const UnitEquation& equation, const ElementUnits& wrong) {
     const auto port =
         equation.block < 0 ? units_of_numbers(faults_.demanded(equation), nullptr) : units_at(equation);
-    for (std::size_t k = 0; wrong && k < equation.constant.each().size(); ++k)
-      if (const auto unit = wrong->of(k); unit && *unit != unit::Dimension{})
+    for (std::size_t k = 0; k < wrong.each().size(); ++k)
+      if (const auto unit = wrong.of(k); unit && *unit != unit::Dimension{})
         return faults_.add_element(equation, k, *unit, port ? port->of(k) : std::nullopt);
   }
 

@@ -35,7 +35,7 @@ test("the loop is cut at a wire, its margins are seen, and follow the gain", {sk
     await page.keyboard.press("w");
     await page.keyboard.press("b");
     await page.getByText("is added to the text").first().waitFor();
-    await page.waitForFunction(() => /linear:\s*loop: \{from: (error|control)\.y, to: \1\.y, open: \1\.y\}figure:\s*- \{plot: bode, of: loop, title: The loop cut behind \1\.y\}/.test(document.querySelector(".cm-content").textContent));
+    await page.waitForFunction(() => /linear:\s*loop: \{from: (error|control)\.y, to: \1\.y, open: \1\.y\}figure:\s*- \{plot: bode, of: loop, title: The loop opened at \1\.y\}/.test(document.querySelector(".cm-content").textContent));
     await page.getByRole("button", {name: "Restart"}).click();
     await page.waitForFunction(() => [...document.querySelectorAll(".figure svg text")].some((one) => / dB$/.test(one.textContent)));
     assert.ok(Math.abs(await margin(page) - 20 * Math.log10(border / 2)) < 0.2, `${await margin(page)} dB`);
@@ -63,7 +63,7 @@ test("a second loop is added to the analyses that there are, and the file loads"
     await page.waitForFunction(() => document.querySelector(".bar-file button").disabled);
     const line = (signal) => `{from: ${signal}, to: ${signal}, open: ${signal}}`;
     assert.equal(studio.file, taken.replace("to: plant}\n", `to: plant}\n     loop2: ${line("control.y")}\n     loop3: ${line("plant.y")}\n`)
-      .replace("y: plant}\n", `y: plant}, {plot: bode, of: loop2, title: The loop cut behind control.y}, {plot: bode, of: loop3, title: The loop cut behind plant.y}]\n`).replace("figure: {", "figure: [{"));
+      .replace("y: plant}\n", `y: plant}, {plot: bode, of: loop2, title: The loop opened at control.y}, {plot: bode, of: loop3, title: The loop cut behind plant.y}]\n`).replace("figure: {", "figure: [{"));
     studio.run();
     assert.deepEqual(studio.errors, []);
   } finally {

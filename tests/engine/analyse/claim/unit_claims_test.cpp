@@ -137,4 +137,19 @@ TEST_CASE("a number with a unit is held against no value without one") {
   CHECK(fault("quantile_of_runs: {share: 50 %, value: max(speed) in Hz}, at_most: 3 Hz") != "");
 }
 
+TEST_CASE("a tolerance without unit is refused where the value is in a unit other than SI") {
+  CHECK(fault("final: guess in mm, equals: 50 mm, within: 1") ==
+        "claims.within: 1 has no unit, but the value is in mm; write 1 mm\n");
+  CHECK(fault("final: speed, equals: 60 rpm, within: 1") ==
+        "claims.within: 1 has no unit, but the value is in rpm; write 1 rpm\n");
+  CHECK(fault("final: speed, between: [-4, 60 rpm]") ==
+        "claims.between: -4 has no unit, but the value is in rpm; write -4 rpm\n");
+  CHECK(fault("final: guess in mm, equals: 50 mm, within: 1 %").empty());
+  CHECK(fault("final: guess in mm, equals: 50 mm, within: 0").empty());
+  CHECK(fault("final: guess in m, equals: 50 mm, within: 1e-3").empty());
+  CHECK(fault("final: guess in degC, equals: 20 degC, within: 0.1").empty());
+  CHECK_THAT(fault("final: guess in degF, equals: 68 degF, within: 0.1"),
+             Catch::Contains("write 0.1 delta_degF"));
+}
+
 }  // namespace stepwire::claim

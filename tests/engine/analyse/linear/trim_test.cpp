@@ -98,4 +98,28 @@ blocks:
   CHECK(found.states[0].value == Approx(2.0).epsilon(1e-7));
 }
 
+TEST_CASE("numbers that the conditions leave open are counted") {
+  const std::string yaml = R"(step: 10 ms
+solver: rk4
+blocks:
+  f: {block: Constant, value: 3}
+  a: {block: Expression, u: [f, x, v], expression: u1 - 1e6*u2 - 0.2*u3}
+  v: {block: Integrator, u: a}
+  x: {block: Integrator, u: v}
+)";
+  CHECK(trimmed(yaml, {}).undetermined == 0);
+  TrimRequest request;
+  request.inputs = {entry("f")};
+  CHECK(trimmed(yaml, request).undetermined == 1);
+  request.outputs = {entry("x", 1e-6)};
+  CHECK(trimmed(yaml, request).undetermined == 0);
+  std::string drifting = yaml;
+  drifting.replace(drifting.find(" - 1e6*u2"), 9, " - 0*u2");
+  CHECK(trimmed(drifting, {}).converged == false);
+  request.outputs.clear();
+  const TrimResult anywhere = trimmed(drifting, request);
+  CHECK(anywhere.converged);
+  CHECK(anywhere.undetermined == 1);
+}
+
 }  // namespace stepwire::linear

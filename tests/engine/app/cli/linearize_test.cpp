@@ -90,6 +90,15 @@ TEST_CASE("trim finds a point, whose file puts a run there, and linearize takes 
   CHECK(point["outputs"]["angle"].get<double>() == Approx(0.5).epsilon(1e-9));
 }
 
+TEST_CASE("a point of operation that is one of many is noted") {
+  const Scratch folder;
+  folder.file("a.yaml", pendulum_yaml + "trim: {inputs: {torque: free}}\n");
+  const Done done = run_program(folder, {"trim", "a.yaml"});
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out,
+             Contains("note: the point is one of many, since the conditions leave 1 free number open"));
+}
+
 TEST_CASE("what follows from other signals is no input of an operating point") {
   const Scratch folder;
   folder.file("a.yaml", pendulum_yaml + "trim: {states: {angle: 0.5}, inputs: {turned: free}}\n");

@@ -51,6 +51,7 @@ TEST_CASE("a run prints the SI unit of a setting without one") {
   CHECK(echo_of("wheel.value=20") == "wheel.value = 20 rad/s");
   CHECK(echo_of("wheel.value=2*10") == "wheel.value = 2*10 rad/s");
   CHECK(echo_of("places.value=[5, 6e-3]") == "places.value = [5, 6e-3] m");
+  CHECK(echo_of("places.value=[0.005 m, 6e-3]") == "places.value.2 = 6e-3 m");
   CHECK(echo_of("body.mass=3") == "body.mass = 3 kg");
   CHECK(echo_of("body.initial_position=3") == "body.initial_position = 3 m");
 }

@@ -84,7 +84,7 @@ TEST_CASE("what would be another text, or is shared by an anchor, is refused wit
 TEST_CASE("a loop is cut where there is no analysis, one, or a taken name, wherever the sections lie") {
   const std::string line = "{from: e, to: e, open: e, at: 0.5 s}";
   const auto plot = [](const std::string& name) {
-    return "{plot: bode, of: " + name + ", title: The loop cut behind e}";
+    return "{plot: bode, of: " + name + ", title: The loop opened at e}";
   };
   CHECK(cut("z: 1\n") == "z: 1\nlinear:\n  loop: " + line + "\nfigure:\n  - " + plot("loop") + "\n");
   CHECK(cut("z: 1\nlinear:\n    loop: {from: a}\n") ==

@@ -33,7 +33,7 @@ using Values = std::vector<double>;
 
 TEST_CASE("values are numbers with units, lists, parameters and expressions of them") {
   CHECK(value_of("5 mm") == Values{0.005});
-  CHECK(value_of("[1, 2 mm, 3]") == Values{1, 0.002, 3});
+  CHECK(value_of("[1 m, 2 mm, 3 m]") == Values{1, 0.002, 3});
   CHECK(value_of("{value: [1, 2], unit: mm}") == Values{0.001, 0.002});
   CHECK(value_of("$v", "{v: [1, 2]}") == Values{1, 2});
   CHECK(value_of("[$a, = 2*a]", "{a: 3}") == Values{3, 6});
@@ -190,6 +190,22 @@ TEST_CASE("an angle per time is no frequency in Hz, nor the other way round") {
   CHECK_THAT(fault("Sine, frequency: 60 rpm"), Catch::Contains("is an angle per time"));
   CHECK(fault("Sine, frequency: 3 1/s").empty());
   CHECK(fault("Sine, frequency: 3 kHz").empty());
+}
+
+TEST_CASE("a bound without unit is refused beside a value in a unit other than SI") {
+  const auto fault = [](const std::string& parameter) {
+    const auto all =
+        faults_of("parameters:\n  k: " + parameter + "\nblocks:\n  c: {block: Constant, value: $k}\n");
+    return all.empty() ? std::string() : all.front();
+  };
+  CHECK(fault("{value: 5 mm, at_most: 10}") ==
+        "test.yaml:2:29: k.at_most: 10 has no unit, but the value is in mm; write 10 mm");
+  CHECK_THAT(fault("{value: 5, unit: mm, above: 1}"), Catch::Contains("write 1 mm"));
+  CHECK_THAT(fault("{value: [5 mm, 6 mm], below: 7}"), Catch::Contains("write 7 mm"));
+  CHECK_THAT(fault("{value: 20 degC, at_most: 30}"), Catch::Contains("write 30 degC"));
+  for (const char* right : {"{value: 5 mm, at_least: 0, at_most: 1 cm}", "{value: 5 m, at_most: 10}",
+                            "{value: 5, at_most: 10}", "{value: 50 %, at_most: 1}"})
+    CHECK(fault(right) == "");
 }
 
 }  // namespace stepwire::diagram

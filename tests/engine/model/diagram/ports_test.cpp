@@ -64,4 +64,24 @@ TEST_CASE("a safe value of another unit or size than its output is refused") {
         std::vector<std::string>{"test.yaml:2:11: held.safe: has 3 elements where the signal has 2"});
 }
 
+TEST_CASE("a default without unit is refused where the port is in a unit other than SI") {
+  const auto fault = [](const std::string& port) {
+    const auto all = faults_of("inputs: {x: " + port + "}\nblocks: {y: {block: Gain, gain: 2, u: x}}\n");
+    return all.empty() ? std::string() : all.front();
+  };
+  CHECK(fault("{unit: mm, default: 2}") ==
+        "test.yaml:1:33: x: 2 has no unit, but the port is in mm; write 2 mm");
+  CHECK_THAT(fault("{unit: degC, default: 20}"), Catch::Contains("write 20 degC"));
+  CHECK_THAT(fault("{unit: deg, default: [0, 20]}"), Catch::Contains("write 20 deg"));
+  for (const char* right : {"{unit: mm, default: 2 mm}", "{unit: mm, default: 0}", "{unit: m, default: 2}",
+                            "{unit: mm, default: [1 mm, 2 cm]}"})
+    CHECK(fault(right) == "");
+}
+
+TEST_CASE("a port has one unit, and a list of units is refused") {
+  CHECK(faults_of("inputs: {x: {unit: [m, rad], default: [0, 0]}}\n"
+                  "blocks: {y: {block: Gain, gain: 2, u: x}}\n")
+            .at(0) == "test.yaml:1:20: x: has one unit; a bus has 'fields' with a unit for each");
+}
+
 }  // namespace stepwire::diagram

@@ -177,4 +177,38 @@ TEST_CASE("a block may declare that the elements of an input have one unit") {
   CHECK(faults_of(pendulum + "  n: {block: TotalLoad, u: x}\n", {}, registry).empty());
 }
 
+TEST_CASE("a number without unit beside one in mm is refused with its place in the list") {
+  const auto fault = [](const std::string& list) {
+    const auto all = faults_of(pendulum + "  c: {block: Constant, value: " + list + "}\n");
+    return all.empty() ? std::string() : all.front();
+  };
+  CHECK(fault("[5 mm, 2]") ==
+        "test.yaml:9:38: c.value: element 2 is 2, which has no unit beside 5 mm; give it one");
+  CHECK_THAT(fault("[2, 20 degC]"), Catch::Contains("element 1 is 2, which has no unit beside 20 degC"));
+  for (const char* right : {"[5 mm, 0]", "[5 m, 2]", "[5 mm, 20 deg, 3]", "[5 mm, 50 %]", "[5, 2]"})
+    CHECK(fault(right) == "");
+}
+
+TEST_CASE("an element that is no number, or does not fit its signal, is named") {
+  const auto fault = [](const std::string& block) { return faults_of(pendulum + "  " + block + "\n").at(0); };
+  CHECK(fault("c: {block: Constant, value: [5 m, x]}") ==
+        "test.yaml:9:37: c.value: element 2 of the list: 'x' is not allowed; it must be a finite number");
+  CHECK(fault("c: {block: Constant, value: [2 foo, 1]}") ==
+        "test.yaml:9:32: c.value: element 1 of the list: 'foo' is no unit; a product of units is written "
+        "N s or N.s");
+  CHECK(fault("c: {block: Constant, value: [1, \"2\"]}") ==
+        "test.yaml:9:35: c.value: element 2 of the list: '2' is text because of its quotes; leave them out "
+        "for a number");
+  CHECK(faults_of("parameters:\n  k: [5 m, x]\nblocks:\n  c: {block: Constant, value: $k}\n",
+                  {{"k", "[1 m, y]"}})
+            .at(0) ==
+        "--set k=[1 m, y]: k: element 2 of the list: 'y' is not allowed; it must be a finite "
+        "number");
+  const std::string rates = "i: {block: Integrator, u: [1 rad/s, 2 m/s], initial: ";
+  CHECK(fault(rates + "[0.3 rad, 1]}") ==
+        "test.yaml:9:56: i.initial: element 2 is in rad, but that of i.initial is in m");
+  CHECK(fault(rates + "{value: [1, 2], unit: mm}}") ==
+        "test.yaml:9:56: i.initial: element 1 is in m, but that of i.initial is in rad");
+}
+
 }  // namespace stepwire::diagram

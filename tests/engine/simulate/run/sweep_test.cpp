@@ -241,4 +241,25 @@ TEST_CASE("a sweep that changes the number of recorded elements is refused, with
   CHECK_NOTHROW(swept("title: t\n" + delays + "record: d\n"));
 }
 
+TEST_CASE("elements of swept lists have units together") {
+  const DiagramFolder folder;
+  const auto refused = [&](const std::string& sweep) {
+    folder.write("sweep.yaml", head +
+                                   "parameters: {k: [1 mm, 20 deg]}\nblocks: {y: {block: Constant, value: "
+                                   "$k}}\nsweep: {k: " +
+                                   sweep + "}\n");
+    diagram::Loader loader(library());
+    try {
+      make_job(loader, folder.path("sweep.yaml"));
+    } catch (const yaml::Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK_THAT(refused("[[1 mm, 10 deg], [3, 20 deg]]"), Catch::Contains("sweep.k: 3 has no unit beside 1 mm"));
+  CHECK_THAT(refused("[[1 mm, 10 deg], [3 mm, 20]]"), Catch::Contains("20 has no unit beside 10 deg"));
+  CHECK(refused("[[1 mm, 10 deg], [3 mm, 20 deg]]").empty());
+  CHECK(refused("[[1 mm, 10 deg], [0 mm, 20 deg]]").empty());
+}
+
 }  // namespace stepwire::run
