@@ -32,7 +32,7 @@ ExitCode verify_analysis(const std::string& folder, const Registry& registry) {
   const std::string difference = session::verify_recorded(folder, registry);
   const std::string agree = folder + ": errors and tables of the recorded trials: all bits agree";
   put_report((difference.empty() ? agree : difference) + "\n", !difference.empty());
-  return difference.empty() ? verify_claims(folder, registry) : ExitCode::fails;
+  return difference.empty() ? ExitCode::done : ExitCode::fails;
 }
 
 ExitCode verify_folder(const std::string& folder, const Registry& registry) {

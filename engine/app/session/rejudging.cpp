@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -44,9 +45,7 @@ class Folder {
     if (read("claims.json").items().empty() && !has("study.json")) return {};
     const Json* faults = note_.find("faults");
     if (flag_in(note_, "interrupted") || (faults && !faults->items().empty())) return {};
-    if (!load()) return {{}, left_out_};
-    if (model_.study && model_.study->experiments > 1)
-      return {{}, fmt::format("its {} experiments are not repeated", model_.study->experiments)};
+    if (!read_study() || !load()) return {{}, left_out_};
     return model_.study ? compare_study() : compare_run();
   }
 
@@ -63,10 +62,29 @@ class Folder {
     throw yaml::Error(yaml::Fault{{path(name), {}}, "", yaml::Message(error.what()), {}});
   }
 
+  /// Reads persons and seed of a study. Returns false for recorded trials and for several experiments.
+  bool read_study() {
+    if (!has("study.json")) return true;
+    const Json study = read("study.json");
+    const Json *points = study.find("points"),
+               &one = points && !points->items().empty() ? points->items()[0] : study;
+    const Json *seed = one.find("seed"), *trials = one.find("trials");
+    if (!seed || !trials) left_out_ = "the trials of the study are recorded ones";
+    if (one.find("experiments")) left_out_ = "the experiments of the study are not repeated";
+    if (!left_out_.empty()) return false;
+    std::set<double> subjects;
+    for (const Json& trial : trials->items())
+      if (const Json* subject = trial.find("subject")) subjects.insert(subject->as_number().value_or(0.0));
+    study_.subjects = subjects.size();
+    study_.seed = static_cast<std::uint64_t>(seed->as_number().value_or(0.0));
+    return true;
+  }
+
   /// Loads the file of the run with the values that were set. Returns false if it is another diagram now.
   bool load() {
     const std::string file = text_in(note_, "file");
     LoadOptions options;
+    options.study = study_;
     if (const Json* parameters = note_.find("parameters"))
       for (const Json& one : parameters->items())
         if (flag_in(one, "set")) options.settings.push_back({text_in(one, "name"), text_in(one, "written")});
@@ -124,6 +142,7 @@ class Folder {
   std::string folder_;
   Session session_;
   Json note_;
+  study::StudyWords study_;
   LoadedModel model_;
   std::string left_out_;
 };

@@ -319,7 +319,7 @@ TEST_CASE("task: a Simulink model is imported, its report is data, and the diagr
   CHECK(data["result"]["notes"][0]["kind"] == "placeholder");
   CHECK(data["result"]["files"] == json({"made/tank.yaml", "made/tank-parts/Level_sensor.yaml"}));
   json check = folder;
-  check["files"] = {"made/tank.yaml"};
+  check["file"] = "made/tank.yaml";
   CHECK(client.call("check", check)["structuredContent"]["exit"] == 0);
   call["out"] = "../tank.yaml";
   CHECK(client.call("import", call)["isError"] == true);
