@@ -72,9 +72,9 @@ class Folder {
     if (!seed || !trials) left_out_ = "the trials of the study are recorded ones";
     if (one.find("experiments")) left_out_ = "the experiments of the study are not repeated";
     if (!left_out_.empty()) return false;
-    std::set<double> subjects;
+    std::set<std::string> subjects;
     for (const Json& trial : trials->items())
-      if (const Json* subject = trial.find("subject")) subjects.insert(subject->as_number().value_or(0.0));
+      if (const Json* subject = trial.find("subject")) subjects.insert(subject->text(-1));
     study_.subjects = subjects.size();
     study_.seed = static_cast<std::uint64_t>(seed->as_number().value_or(0.0));
     return true;
