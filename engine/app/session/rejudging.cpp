@@ -76,6 +76,7 @@ class Folder {
     for (const Json& trial : trials->items())
       if (const Json* subject = trial.find("subject")) subjects.insert(subject->text(-1));
     study_.subjects = subjects.size();
+    study_.experiments = 1;
     study_.seed = static_cast<std::uint64_t>(seed->as_number().value_or(0.0));
     return true;
   }
