@@ -86,15 +86,16 @@ std::vector<std::string> names_of(const std::vector<std::string>& docs, std::siz
 }  // namespace
 
 /// Coverage of one run.
-class CoverageObserver::OfRun {
+class CoverageObserver::OfRun : run::SideObserver {
  public:
   explicit OfRun(run::Executor& simulation) : plan_(simulation.plan()) {
     for (std::size_t block = 0; block < plan_.blocks.size(); ++block) add_block(simulation, block);
+    simulation.show_events(this);
   }
 
   void evaluate(const double* values) {
     for (Crossings& one : crossings_) count_crossings(one, values);
-    for (const Guard& one : guards_) ++branch(one.condition, values[one.place] != 0.0 ? 0 : 1).ticks;
+    for (const Guard& one : guards_) count_guard(one, values);
     for (Constant& one : constants_) count_constant(one, values);
     for (Machine& one : machines_) count_machine(one, values);
     for (const Table& one : tables_) count_table(one, values);
@@ -118,11 +119,30 @@ class CoverageObserver::OfRun {
   }
 
  private:
+  /// Counts the functions whose crossings are located, at the end of a step that leads beyond one.
+  void before_instant(const double* values) override {
+    for (Crossings& one : crossings_)
+      if (one.is_located) count_crossings(one, values);
+  }
+
+  /// Counts the blocks that are computed at events; others keep the outputs of their tick.
+  void after_event(const double* values) override {
+    before_instant(values);
+    for (const Guard& one : guards_) count_guard(one, values);
+    for (Constant& one : constants_)
+      if (one.is_continuous) count_constant(one, values);
+    for (Machine& one : machines_)
+      if (one.is_continuous) count_machine(one, values);
+    for (const Table& one : tables_)
+      if (one.is_continuous) count_table(one, values);
+  }
+
   struct Crossings {
     const BlockType* type;
     const void* block;
     std::ptrdiff_t active;
-    std::size_t owner;          ///< Index of the block.
+    std::size_t owner;  ///< Index of the block.
+    bool is_located;
     std::size_t condition = 0;  ///< Index of its first condition, once counted.
     std::vector<double> numbers{};
     std::vector<std::int64_t> zeros{}, infinite{};  ///< Ticks at which a function is 0 or has no bound.
@@ -134,11 +154,13 @@ class CoverageObserver::OfRun {
   struct Constant {
     std::size_t place, condition;
     std::ptrdiff_t active;
+    bool is_continuous;
     double first = nan;
   };
   struct Machine {
     std::size_t place, condition;  ///< Condition of its states; those of its transitions follow.
     std::ptrdiff_t active;
+    bool is_continuous;
     Chart chart;
     std::optional<std::size_t> state{};
   };
@@ -146,6 +168,7 @@ class CoverageObserver::OfRun {
   struct Table {
     std::size_t condition;
     std::ptrdiff_t active;
+    bool is_continuous;
     TableRegions regions;
   };
 
@@ -159,6 +182,15 @@ class CoverageObserver::OfRun {
     for (const std::string& name : branches) condition.branches.push_back({name, 0});
     coverage_.conditions.push_back(std::move(condition));
     return coverage_.conditions.size() - 1;
+  }
+
+  bool is_continuous(std::size_t block) const {
+    return plan_.blocks[block].rate.kind == plan::Rate::Kind::continuous;
+  }
+
+  bool is_located(std::size_t block) const {
+    return std::ranges::any_of(plan_.crossings,
+                               [&](const plan::CrossingCall& call) { return call.block == block; });
   }
 
   void add_block(run::Executor& simulation, std::size_t block) {
@@ -179,7 +211,7 @@ class CoverageObserver::OfRun {
     if (type.steady) add_constants(block, active);
     const bool skips = planned.configuration && planned.configuration->skips_crossings;
     if (type.run_crossings && !skips)
-      crossings_.push_back({&type, address_of(simulation, block), active, block, 0,
+      crossings_.push_back({&type, address_of(simulation, block), active, block, is_located(block), 0,
                             std::vector<double>(room_for_crossings(planned, type))});
   }
 
@@ -189,7 +221,8 @@ class CoverageObserver::OfRun {
     for (const ChartArrow& arrow : chart.arrows)
       add(block, fmt::format("the transition {} to {}", chart.states[arrow.from], chart.states[arrow.to]),
           {"taken"});
-    machines_.push_back({plan_.blocks[block].outputs[output].offset, condition, active, std::move(chart)});
+    machines_.push_back({plan_.blocks[block].outputs[output].offset, condition, active, is_continuous(block),
+                         std::move(chart)});
   }
 
   void add_table(run::Executor& simulation, std::size_t block, std::ptrdiff_t active) {
@@ -197,7 +230,7 @@ class CoverageObserver::OfRun {
     auto regions = TableRegions::of(present.blocks[block], plan_.blocks[block]);
     if (!regions) return;
     const std::size_t condition = add(block, "the table", regions->names());
-    tables_.push_back({condition, active, std::move(*regions)});
+    tables_.push_back({condition, active, is_continuous(block), std::move(*regions)});
   }
 
   void add_constants(std::size_t block, std::ptrdiff_t active) {
@@ -210,7 +243,7 @@ class CoverageObserver::OfRun {
              add(block,
                  type.outputs[output].name + (slot.size > 1 ? fmt::format(" ({})", k + 1) : std::string()),
                  {"its first value", "another value"}),
-             active});
+             active, is_continuous(block)});
     }
   }
 
@@ -249,6 +282,10 @@ class CoverageObserver::OfRun {
       else if (number != 0.0 && !std::isnan(number))
         ++branch(one.condition + k, number > 0.0 ? 0 : 1).ticks;
     }
+  }
+
+  void count_guard(const Guard& one, const double* values) {
+    ++branch(one.condition, values[one.place] != 0.0 ? 0 : 1).ticks;
   }
 
   void count_constant(Constant& one, const double* values) {
@@ -310,6 +347,7 @@ void CoverageObserver::evaluated(const run::ObservedRun& run) {
 }
 
 void CoverageObserver::end(const run::ObservedRun& run) {
+  run.simulation.show_events(nullptr);
   const std::lock_guard lock(mutex_);
   all_.add(runs_.at(run.index)->finished());
   runs_.erase(run.index);
@@ -364,7 +402,8 @@ std::string coverage_text(const Coverage& coverage) {
 static void declare(result::Record<Branch>& is) {
   is.named("Branch", "Branch of a condition of a block.");
   is.field("name", &Branch::name, "name of the branch: above, below, active, a state");
-  is.field("ticks", &Branch::ticks, "ticks at which the runs were there; 0 for one that none took");
+  is.field("ticks", &Branch::ticks,
+           "ticks and sides of located events at which the runs were there; 0 for one that none took");
 }
 
 static void declare(result::Record<Condition>& is) {

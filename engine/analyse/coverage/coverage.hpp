@@ -15,7 +15,7 @@ namespace stepwire::coverage {
 /// One of the ways that a condition of a block can go.
 struct Branch {
   std::string name;        ///< "above", "below", "active", the name of a state
-  std::int64_t ticks = 0;  ///< Ticks at which the run was there.
+  std::int64_t ticks = 0;  ///< Ticks and sides of located events at which the run was there.
 };
 
 /// Condition of a block with its branches: a crossing function, a guard, a constant output, a state, a
@@ -28,7 +28,7 @@ struct Condition {
   std::size_t covered() const;
 };
 
-/// Conditions of a diagram, and which branches its runs took at their ticks.
+/// Conditions of a diagram, and which branches its runs took.
 struct Coverage {
   std::string file{};
   std::vector<Condition> conditions{};
@@ -41,7 +41,8 @@ struct Coverage {
 
 /// Observer that finds the branches of all runs. Conditions follow from declarations: crossing functions,
 /// guards, outputs that are constant between crossings, states and transitions of charts. Runs are observed
-/// at their ticks, so a branch between two ticks is not seen.
+/// at their ticks and on both sides of each located event, so a branch between two ticks is seen where events
+/// are located.
 class CoverageObserver : public run::RunObserver {
  public:
   CoverageObserver();

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
+
+#include "engine/base/expression/expression.hpp"
 
 namespace stepwire::coverage {
 namespace {
@@ -12,7 +15,12 @@ constexpr std::size_t most_cells = 400;  // beyond, a list of cells is no help t
 std::vector<double> numbers_of(const Value& value) {
   if (const auto* vector = std::get_if<Eigen::VectorXd>(&value.content))
     return {vector->data(), vector->data() + vector->size()};
-  return {};
+  std::vector<double> numbers;
+  if (value.list())
+    for (const Value& one : *value.list())
+      if (one.text())
+        numbers.push_back(expression::Expression(*one.text(), [](std::string_view) { return false; })({}));
+  return numbers;
 }
 
 }  // namespace
@@ -41,11 +49,25 @@ std::optional<TableRegions::Axis> TableRegions::axis_of(const diagram::DiagramBl
   return Axis{input, slots[0].offset, static_cast<std::size_t>(slots[0].size), std::move(numbers)};
 }
 
+/// Adds the axes of a table with a list of inputs, whose points are a list for each.
+void TableRegions::add_axes(const diagram::DiagramBlock& block, const plan::PlannedBlock& planned) {
+  const ParameterSpec* parameter = block.type().parameter("points");
+  const int input = block.type().input("u");
+  if (!parameter || input < 0) return;
+  const Value points = parameter->get(block.block.get());
+  const auto& slots = planned.inputs[static_cast<std::size_t>(input)];
+  if (!points.list() || points.list()->size() != slots.size()) return;
+  for (std::size_t d = 0; d < slots.size(); ++d)
+    axes_.push_back({fmt::format("u{}", d + 1), slots[d].offset, static_cast<std::size_t>(slots[d].size),
+                     numbers_of((*points.list())[d])});
+}
+
 std::optional<TableRegions> TableRegions::of(const diagram::DiagramBlock& block,
                                              const plan::PlannedBlock& planned) {
   TableRegions regions;
   for (const auto& [input, points] : {std::pair{"u", "points"}, {"row", "rows"}, {"column", "columns"}})
     if (auto axis = axis_of(block, planned, input, points)) regions.axes_.push_back(std::move(*axis));
+  if (regions.axes_.empty()) regions.add_axes(block, planned);
   if (regions.axes_.empty()) return std::nullopt;
   regions.name_regions();
   return regions;
@@ -53,7 +75,8 @@ std::optional<TableRegions> TableRegions::of(const diagram::DiagramBlock& block,
 
 void TableRegions::name_regions() {
   std::size_t cells = 1;
-  for (const Axis& axis : axes_) cells *= axis.points.size() - 1;
+  for (const Axis& axis : axes_)
+    if (cells <= most_cells) cells *= axis.points.size() - 1;
   has_cells_ = axes_.size() == 1 || cells <= most_cells;
   if (has_cells_) {
     names_.assign(cells, "");

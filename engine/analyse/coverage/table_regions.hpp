@@ -9,7 +9,7 @@
 
 namespace stepwire::coverage {
 
-/// Regions between the points of a table of one or two arguments: intervals, or cells of a grid. A grid of
+/// Regions between the points of a table: intervals, or cells of a grid. A grid of
 /// many cells has the intervals of each argument instead.
 class TableRegions {
  public:
@@ -36,6 +36,7 @@ class TableRegions {
 
   static std::optional<Axis> axis_of(const diagram::DiagramBlock& block, const plan::PlannedBlock& planned,
                                      const char* input, const char* points);
+  void add_axes(const diagram::DiagramBlock& block, const plan::PlannedBlock& planned);
   void name_regions();
   void add_element(const double* values, std::size_t element, std::vector<std::size_t>& found) const;
 

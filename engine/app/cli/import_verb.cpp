@@ -58,7 +58,7 @@ ExitCode import_file(const ImportWords& words, const Registry& registry) {
 Action declare_import(CLI::App& verb) {
   const auto words = std::make_shared<ImportWords>();
   CLI::Option* model = verb.add_option("FILE", words->model, "a Simulink model, .slx");
-  verb.add_option("-o", words->out, "diagram file to write; without it FILE.yaml in the present folder")
+  verb.add_option("-o,--out", words->out, "diagram file to write; without it FILE.yaml in the present folder")
       ->option_text("NAME.yaml");
   verb.add_flag("--json", words->json, "print the report as JSON");
   verb.add_flag("--table", words->table, "print the translated blocks as Markdown")->excludes(model);

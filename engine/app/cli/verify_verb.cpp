@@ -8,11 +8,23 @@
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/session/kept_experiments.hpp"
 #include "engine/app/session/recorded_study.hpp"
+#include "engine/app/session/rejudging.hpp"
 #include "engine/app/studio/live/live_folder.hpp"
 #include "engine/simulate/replay/verify.hpp"
 
 namespace stepwire::cli {
 namespace {
+
+/// Computes the claims and tables of a folder again, after its signals agree.
+ExitCode verify_claims(const std::string& folder, const Registry& registry) {
+  const session::Rejudged claims = session::rejudge(folder, registry, {&interrupted(), {}, {}, {}});
+  if (claims.interrupted) return ExitCode::interrupted;
+  if (!claims.left_out.empty())
+    say("{}: claims and tables are not computed again: {}\n", folder, claims.left_out);
+  if (claims.difference.empty()) return ExitCode::done;
+  put_failure(claims.difference + "\n");
+  return ExitCode::fails;
+}
 
 /// Verifies a folder of recorded trials by repeating their analysis, because trials of persons cannot be
 /// replayed.
@@ -34,7 +46,7 @@ ExitCode verify_folder(const std::string& folder, const Registry& registry) {
     say("{}: {}\n", folder, replay::verification_text(verification));
     if (const std::string others = session::not_replayed(folder); !others.empty())
       say("{}: {}\n", folder, others);
-    return ExitCode::done;
+    return live ? ExitCode::done : verify_claims(folder, registry);
   }
   put_failure(replay::verification_text(verification) + "\n");
   return ExitCode::fails;

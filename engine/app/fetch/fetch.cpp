@@ -26,8 +26,9 @@ using yaml::Message;
 
 /// Returns the address as git takes it; a relative path begins at the folder of the file.
 std::string address_of(const Use& use, const std::string& file) {
-  const bool is_path = use.git.find("://") == std::string::npos && use.git.find('@') == std::string::npos;
-  return is_path ? fs::absolute(fs::path(file).parent_path() / use.git).lexically_normal().string() : use.git;
+  return diagram::is_path_address(use.git)
+             ? fs::absolute(fs::path(file).parent_path() / use.git).lexically_normal().string()
+             : use.git;
 }
 
 bool has_right_files(const Use& use) {

@@ -21,7 +21,8 @@ struct ToolRow {
   const char* verb;
   const char* result;
   JsonForm form;
-  const char* note;  ///< end of the description
+  const char* note;        ///< end of the description
+  bool is_of_text = true;  ///< false: its file is no text
 };
 
 const std::vector<ToolRow>& rows() {
@@ -41,15 +42,18 @@ const std::vector<ToolRow>& rows() {
       {"fit", "fit", "results.fit", JsonForm::always, ""},
       {"tune", "tune", "results.tune", JsonForm::always, ""},
       {"linearize", "linearize", "results.linearize", JsonForm::always, ""},
-      {"trim", "trim", "results.trim", JsonForm::always, ""}};
+      {"trim", "trim", "results.trim", JsonForm::always, ""},
+      {"import", "import", "results.import", JsonForm::always,
+       "Returns the written files, and a sentence on each block or value that has to be written or differs.",
+       false}};
   return all;
 }
 
 bool is_left_out(const std::string& option) {
   // Terminals; pages for other programs; code from outside; processes; git; the names of own arguments.
-  static const std::set<std::string> names{"--help",     "--json",   "--watch",      "--quiet",  "--color",
-                                           "--markdown", "--python", "--typescript", "--blocks", "--parts",
-                                           "--mpi",      "--part",   "--rev",        "--text",   "--csv"};
+  static const std::set<std::string> names{
+      "--help",       "--json",   "--watch", "--quiet", "--color", "--markdown", "--table", "--python",
+      "--typescript", "--blocks", "--parts", "--mpi",   "--part",  "--rev",      "--text",  "--csv"};
   return names.contains(option);
 }
 
@@ -79,8 +83,9 @@ Argument argument_of(const OptionWords& words, bool positional) {
 Tool tool_of(const ToolRow& row, const VerbWords& verb) {
   Tool tool{row.name, row.verb, verb.about + ". " + row.note, row.result, row.form, false, false, {}};
   for (const OptionWords& words : verb.positionals) tool.arguments.push_back(argument_of(words, true));
-  tool.takes_text = std::ranges::any_of(tool.arguments,
-                                        [](const Argument& one) { return one.type == Argument::Type::path; });
+  tool.takes_text = row.is_of_text && std::ranges::any_of(tool.arguments, [](const Argument& one) {
+                      return one.type == Argument::Type::path;
+                    });
   for (const OptionWords& words : verb.options) {
     const Argument argument = argument_of(words, false);
     if (argument.option == "--csv") tool.gives_rows = tool.name == tool.verb;

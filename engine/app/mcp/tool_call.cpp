@@ -34,7 +34,7 @@ std::string meaning_of(int code) {
     case 0:
       return "done";
     case 1:
-      return "a claim fails, a search has not converged, or two diagrams differ";
+      return "a claim fails, a search has not converged, two diagrams differ, or an import is not complete";
     case 2:
       return "the diagram or the call is wrong";
     case 3:

@@ -92,10 +92,12 @@ std::string results_text(const session::ResultComparison& results) {
 plot::FigureSpec comparison_figure(const session::ComparedRuns& runs, std::size_t signals) {
   const auto a = session::tables_of(runs.a), b = session::tables_of(runs.b);
   std::vector<std::pair<const comparison::SignalDifference*, comparison::DifferenceCurves>> shown;
-  for (const comparison::SignalDifference& signal : runs.difference.signals) {
-    auto curves = comparison::curves_of(a, b, signal, runs.tolerances);
-    if (!curves.time.empty() && shown.size() < signals) shown.emplace_back(&signal, std::move(curves));
-  }
+  for (const bool agrees : {false, true})  // what differs comes first
+    for (const comparison::SignalDifference& signal : runs.difference.signals) {
+      if (signal.agrees != agrees || shown.size() >= signals) continue;
+      auto curves = comparison::curves_of(a, b, signal, runs.tolerances);
+      if (!curves.time.empty()) shown.emplace_back(&signal, std::move(curves));
+    }
   plot::FigureBuilder builder(
       {.title = fmt::format("A {}, B {}", runs.difference.a, runs.difference.b), .height = 0},
       2 * shown.size());

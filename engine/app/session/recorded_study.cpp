@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <sstream>
 
+#include "engine/app/session/rejudging.hpp"
 #include "engine/app/session/studies.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
@@ -72,20 +72,6 @@ Json section_json(const study::StudyRequest& request, const diagram::Diagram& di
   return section;
 }
 
-/// Returns the first line in which a file differs from the expected text; empty if none.
-std::string difference(const std::string& path, const std::string& wanted) {
-  std::istringstream there(io::read_file(path)), here(wanted);
-  std::string one, other;
-  for (std::size_t line = 1;; ++line) {
-    const bool more = static_cast<bool>(std::getline(there, one));
-    const bool wants = static_cast<bool>(std::getline(here, other));
-    if (!more && !wants) return {};
-    if (more != wants || one != other)
-      return fmt::format("{}:{}: is '{}', but the recorded trials give '{}'", path, line, more ? one : "",
-                         wants ? other : "");
-  }
-}
-
 }  // namespace
 
 void write_recorded(const std::string& folder, const LoadedModel& model) {
@@ -109,9 +95,11 @@ std::string verify_recorded(const std::string& folder, const Registry& registry)
   LoadedModel model = load_model(registry, path_in(folder, replay::flattened_name), options);
   const study::Experiments experiments{study::score_recorded(*model.study, model.job.plan.diagram)};
   const Outcome outcome = study_outcome(model, experiments);
-  const std::string errors =
-      difference(path_in(folder, "errors.csv"), errors_text(model, experiments, outcome));
-  return errors.empty() ? difference(path_in(folder, "tables.txt"), tables_text(model)) : errors;
+  for (const StudyFile& one : study_texts(model, experiments, outcome))
+    if (const auto line = first_difference(path_in(folder, one.name), one.text))
+      return fmt::format("{}:{}: is '{}', but the recorded trials give '{}'", path_in(folder, one.name),
+                         line->number, line->there, line->computed);
+  return {};
 }
 
 }  // namespace stepwire::session

@@ -226,35 +226,39 @@ Outcome study_outcome(LoadedModel& model, const study::Experiments& experiments)
   return outcome;
 }
 
-void write_study(const std::string& folder, const LoadedModel& model, const study::Experiments& experiments,
-                 const Outcome& outcome) {
-  if (model.study->trials.empty())
-    replay::write_replay(folder, model.job);
-  else
-    write_recorded(folder, model);
-  for (std::size_t i = 0; i < experiments.size(); ++i)
-    io::write_file(folder + "/" + io::numbered("trials", i, ".csv"), trials_text(model, experiments[i]));
-  io::write_file(folder + "/errors.csv", errors_text(model, experiments, outcome));
-  io::write_file(folder + "/study.json", result::json_of(StudyReport{&model, &experiments}).text() + "\n");
-  io::write_file(folder + "/tables.txt", tables_text(model));
-  if (model.study->experiments > 1 && experiments.size() == 1)
-    render::write_figure(folder, "experiments",
-                         repetition_figure(study::outcomes(experiments.front(), *model.study), *model.study),
-                         "experiments-figure");
-}
-
-std::string errors_text(const LoadedModel& model, const study::Experiments& experiments,
-                        const Outcome& outcome) {
-  return errors_csv(model, experiments, outcome.result.recordings[model.job.plan.diagram.records.size()]);
-}
-
-std::string tables_text(const LoadedModel& model) {
+static std::string tables_text(const LoadedModel& model) {
   std::string all;
   // The tables "experiments..." compare several experiments.
   for (const query::NamedTable& one : model.tables)
     if (model.study->experiments > 1 || !one.name.starts_with("experiments"))
       all += (all.empty() ? "" : "\n") + text::text(*one.table);
   return all;
+}
+
+std::vector<StudyFile> study_texts(const LoadedModel& model, const study::Experiments& experiments,
+                                   const Outcome& outcome) {
+  std::vector<StudyFile> files;
+  for (std::size_t i = 0; i < experiments.size(); ++i)
+    files.push_back({io::numbered("trials", i, ".csv"), trials_text(model, experiments[i])});
+  const record::Recording& errors = outcome.result.recordings[model.job.plan.diagram.records.size()];
+  files.push_back({"errors.csv", errors_csv(model, experiments, errors)});
+  files.push_back({"tables.txt", tables_text(model)});
+  return files;
+}
+
+void write_study(const std::string& folder, const LoadedModel& model, const study::Experiments& experiments,
+                 const Outcome& outcome) {
+  if (model.study->trials.empty())
+    replay::write_replay(folder, model.job);
+  else
+    write_recorded(folder, model);
+  for (const StudyFile& file : study_texts(model, experiments, outcome))
+    io::write_file(folder + "/" + file.name, file.text);
+  io::write_file(folder + "/study.json", result::json_of(StudyReport{&model, &experiments}).text() + "\n");
+  if (model.study->experiments > 1 && experiments.size() == 1)
+    render::write_figure(folder, "experiments",
+                         repetition_figure(study::outcomes(experiments.front(), *model.study), *model.study),
+                         "experiments-figure");
 }
 
 plot::FigureSpec repetition_figure(const std::vector<study::ExperimentOutcome>& experiments,

@@ -9,8 +9,8 @@
 #include "engine/analyse/study/distribution.hpp"
 #include "engine/analyse/study/experiment.hpp"
 #include "engine/app/session/outcome.hpp"
-#include "engine/base/result/record.hpp"
 #include "engine/base/messages/items.hpp"
+#include "engine/base/result/record.hpp"
 #include "engine/view/plot/plot_spec.hpp"
 
 namespace stepwire::session {
@@ -56,10 +56,13 @@ Outcome study_outcome(LoadedModel& model, const study::Experiments& experiments)
 void write_study(const std::string& folder, const LoadedModel& model, const study::Experiments& experiments,
                  const Outcome& outcome);
 
-/// Return the contents of errors.csv and tables.txt.
-std::string errors_text(const LoadedModel& model, const study::Experiments& experiments,
-                        const Outcome& outcome);
-std::string tables_text(const LoadedModel& model);
+/// A file of a study and its content.
+struct StudyFile {
+  std::string name, text;
+};
+/// Returns trials.csv, errors.csv and tables.txt.
+std::vector<StudyFile> study_texts(const LoadedModel& model, const study::Experiments& experiments,
+                                   const Outcome& outcome);
 
 /// Result of a study: study.json.
 struct StudyReport {

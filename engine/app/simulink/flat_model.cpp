@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "engine/app/simulink/ambiguities.hpp"
 #include "engine/app/simulink/matlab.hpp"
 #include "engine/app/simulink/plain_text.hpp"
 
@@ -84,13 +85,43 @@ FlatModel::FlatModel(const Model& model, std::vector<Note>& notes)
   root_->unit = units_[0].get();
   units_[0]->instance = root_.get();
   build(*root_);
+  note_equal_tags();
+}
+
+Instance* FlatModel::scope_of(const GotoBlock& block) const {
+  const std::string visibility = text_of(model_, *block.second, "TagVisibility", "local");
+  if (visibility == "global") return root_.get();
+  if (visibility != "scoped") return block.first;
+  const std::string tag = text_of(model_, *block.second, "GotoTag", "A");
+  for (Instance* in = block.first; in; in = in->parent)
+    for (const Block& one : in->system->blocks)
+      if (one.type == "GotoTagVisibility" && text_of(model_, one, "GotoTag", "A") == tag) return in;
+  return block.first;
+}
+
+/// True for a tag that is read in the systems of its scope as well.
+static bool reaches_inner_systems(const Model& model, const Block& block) {
+  return text_of(model, block, "TagVisibility", "local") != "local";
+}
+
+void FlatModel::note_equal_tags() {
+  std::map<std::pair<std::string, const Instance*>, const GotoBlock*> first;
+  for (const auto& [tag, block] : gotos_) {
+    const auto [found, is_new] = first.emplace(std::pair(tag, scope_of(block)), &block);
+    if (!is_new)
+      notes_.push_back({NoteKind::fault, block.first->path + block.second->name,
+                        fmt::format("sends the tag '{}', as '{}{}' does in the same scope; that one is read",
+                                    tag, found->second->first->path, found->second->second->name)});
+  }
 }
 
 void FlatModel::build(Instance& instance) {
+  for (Note& note : ambiguities_of(model_, *instance.system, instance.path))
+    notes_.push_back(std::move(note));
   for (const Block& block : instance.system->blocks) {
     instance.by_sid.try_emplace(block.sid, &block);
     instance.by_sid.try_emplace("name " + block.name, &block);
-    if (block.type == "Outport") instance.outports[port_number(model_, block)] = &block;
+    if (block.type == "Outport") instance.outports.try_emplace(port_number(model_, block), &block);
     if (block.type == "Inport" && instance.prefix.empty()) name_input(instance, block);
   }
   add_lines(instance);
@@ -234,8 +265,18 @@ std::string FlatModel::follow_from(Instance& in, const Block& block, int depth) 
   const auto [first, last] = gotos_.equal_range(tag);
   for (Instance* scope = &in; scope; scope = scope->parent)
     for (auto each = first; each != last; ++each)
-      if (each->second.first == scope) return through_units(*in.unit, *scope, *each->second.second, depth);
-  if (first != last) return through_units(*in.unit, *first->second.first, *first->second.second, depth);
+      if (scope_of(each->second) == scope &&
+          (scope == &in || reaches_inner_systems(model_, *each->second.second)))
+        return through_units(*in.unit, *each->second.first, *each->second.second, depth);
+  if (first != last) {
+    const auto& [from, sender] = first->second;
+    notes_.push_back(
+        {NoteKind::deviates, in.path + block.name,
+         fmt::format("reads the tag '{}', which '{}{}' does not send to this system in Simulink; "
+                     "here it is read",
+                     tag, from->path, sender->name)});
+    return through_units(*in.unit, *from, *sender, depth);
+  }
   return no_source(in.path + block.name, fmt::format("reads the tag '{}' that no Goto writes", tag));
 }
 

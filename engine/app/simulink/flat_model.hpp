@@ -49,6 +49,13 @@ struct FlatBlock {
   std::vector<std::pair<std::string, yaml::Node>> made;  ///< blocks of the diagram
   std::vector<std::string> comments;                     ///< lines above it
   std::map<int, std::string> outputs;  ///< texts of its outputs; the name where there is none
+  std::string has_run{};               ///< block that is 1 from the first run of a part on; empty: none
+};
+
+/// Output of a subsystem that runs on condition, while that is off.
+struct Rest {
+  bool is_reset = false;  ///< It has the initial value at each end of an activity, and holds otherwise.
+  std::optional<Value> initial;  ///< Value before the first run; nullopt: that of the blocks inside.
 };
 
 /// A file of the diagram: the model, or a subsystem that runs on condition.
@@ -65,9 +72,9 @@ struct Unit {
   std::map<std::string, std::string>
       tags;                         ///< inputs for tags of Goto outside, with the source in the parent.
   std::vector<std::string> inputs;  ///< by the number of the port.
-  std::vector<std::pair<std::string, std::string>>
-      outputs;                    ///< names and sources, by the number of the port.
-  std::vector<std::string> safe;  ///< values of outputs while it is off; empty: none.
+  std::map<int, std::pair<std::string, std::string>> outputs;  ///< names and sources, by the port.
+  std::map<int, Rest> rests;    ///< outputs with a value of their own while it is off, by the port.
+  bool resets_outputs = false;  ///< all outputs have their `safe` values while it is off.
 
   /// Returns a name that is still free, and takes it.
   std::string take_name(const std::string& wanted);
@@ -99,7 +106,12 @@ class FlatModel {
   static std::optional<std::pair<std::size_t, int>> token_of(const std::string& text);
 
  private:
+  using GotoBlock = std::pair<Instance*, const Block*>;
+
   void build(Instance& instance);
+  /// Returns the system whose From blocks read a tag, with inner systems unless the tag is local.
+  Instance* scope_of(const GotoBlock& block) const;
+  void note_equal_tags();
   void name_input(Instance& instance, const Block& block);
   static void add_lines(Instance& instance);
   void add_block(Instance& instance, const Block& block);
@@ -123,7 +135,7 @@ class FlatModel {
   std::vector<FlatBlock> blocks_;
   std::vector<std::unique_ptr<Unit>> units_;
   std::unique_ptr<Instance> root_;
-  std::multimap<std::string, std::pair<Instance*, const Block*>> gotos_;
+  std::multimap<std::string, GotoBlock> gotos_;
   Unit* evaluating_ = nullptr;
 };
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "engine/app/session/loaded_model.hpp"
 #include "engine/app/simulink/placeholder.hpp"
@@ -56,10 +58,19 @@ class Importer {
     note_names();
     settle(texts, head);
     write(texts);
+    remove_repeated_notes();
     return std::move(result_);
   }
 
  private:
+  /// Keeps the first of equal sentences; a wire is followed more than once.
+  void remove_repeated_notes() {
+    std::set<std::tuple<NoteKind, std::string, std::string>> known;
+    std::erase_if(result_.notes, [&](const Note& note) {
+      return !known.emplace(note.kind, note.block, note.sentence).second;
+    });
+  }
+
   std::string free_file(const std::string& wanted) {
     std::string name = wanted;
     for (int i = 2; !files_.insert(lower_case(name)).second; ++i) name = fmt::format("{}_{}", wanted, i);

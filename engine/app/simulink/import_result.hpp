@@ -15,7 +15,7 @@ enum class NoteKind {
   deviates,     ///< the run differs from that of the model
   differs,      ///< another form or method, or what is not in the file
   renamed,      ///< a name that is no name here
-  fault         ///< a fault of the written diagram
+  fault         ///< two meanings in the model, or a fault of the written diagram
 };
 
 const char* word_of(NoteKind kind);

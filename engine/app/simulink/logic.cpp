@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <map>
+#include <string_view>
 
 #include "engine/app/simulink/conditions.hpp"
 #include "engine/app/simulink/forms.hpp"
@@ -143,40 +145,56 @@ void if_block(BlockWriter& write) {
   write.output(++port, before);
 }
 
-/// Returns the cases of a Switch Case, as "{1,[2,3]}".
-std::vector<std::vector<std::string>> cases_of(const std::string& text) {
-  std::vector<std::vector<std::string>> cases;
-  bool in_list = false;
-  for (const char c : text) {
-    if (c == '[') {
-      in_list = true;
+/// True for a blank at the end of a case of MATLAB, as in "1 -2"; "1 - 2" is one case.
+bool ends_case(const std::string& text, std::size_t blank) {
+  const std::size_t before = text.find_last_not_of(' ', blank), after = text.find_first_not_of(' ', blank);
+  if (before == text.npos || after == text.npos) return false;
+  if (std::string_view("+-*/^:,;").find(text[before]) != std::string_view::npos) return false;
+  const bool is_sign = text[after] == '+' || text[after] == '-';
+  if (is_sign) return after + 1 < text.size() && text[after + 1] != ' ';
+  return std::string_view("*/^:,;").find(text[after]) == std::string_view::npos;
+}
+
+/// Returns the cases of a Switch Case, as "1" and "[2,3]" of "{1,[2,3]}".
+std::vector<std::string> cases_of(const std::string& written) {
+  const std::size_t open = written.find('{'), close = written.rfind('}');
+  if (open == written.npos || close == written.npos || close < open)
+    throw Untranslated("its cases are '" + written + "'");
+  const std::string text = on_one_line(written.substr(open + 1, close - open - 1));
+  std::vector<std::string> cases(1);
+  int depth = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    depth += c == '[' || c == '(' || c == '{' ? 1 : c == ']' || c == ')' || c == '}' ? -1 : 0;
+    const bool is_end = depth == 0 && (c == ',' || c == ';' || (c == ' ' && ends_case(text, at)));
+    if (is_end)
       cases.emplace_back();
-      cases.back().emplace_back();
-    } else if (c == ']') {
-      in_list = false;
-    } else if (std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '.') {
-      if (cases.empty() || (!in_list && cases.back().empty())) cases.push_back({""});
-      cases.back().back() += c;
-    } else if (c == ',' || c == ';' || (in_list && c == ' ')) {
-      if (in_list)
-        cases.back().emplace_back();
-      else
-        cases.emplace_back();
-    }
+    else
+      cases.back() += c;
   }
+  std::erase_if(cases, [](const std::string& one) { return on_one_line(one).empty(); });
   return cases;
 }
 
+/// Returns the condition of a case: the whole input is one of its numbers.
+std::string case_condition(BlockWriter& write, const std::string& text, const std::string& whole) {
+  std::string condition;
+  for (const double number : write.model().evaluate(write.instance(), text).numbers()) {
+    if (number != std::round(number)) throw Untranslated("its case " + text + " is no whole number");
+    condition += fmt::format("{}{} == {}", condition.empty() ? "" : " || ", whole, in_formula(Cell{number}));
+  }
+  if (condition.empty()) throw Untranslated("its case " + text + " is empty");
+  return condition;
+}
+
 void switch_case(BlockWriter& write) {
-  const std::string number = "floor(" + write.source() + ")";
+  const std::string whole =
+      write.extra("whole", block_node("Expression", {{"u", word(write.source())},
+                                                     {"expression", word("u1 < 0 ? ceil(u1) : floor(u1)")}}));
   std::string any;
   int port = 0;
-  for (const std::vector<std::string>& values : cases_of(write.text("CaseConditions", "{1}"))) {
-    std::string condition;
-    for (const std::string& value : values)
-      if (!value.empty())
-        condition += fmt::format("{}{} == {}", condition.empty() ? "" : " || ", number, value);
-    if (condition.empty()) continue;
+  for (const std::string& text : cases_of(write.text("CaseConditions", "{1}"))) {
+    const std::string condition = case_condition(write, text, whole);
     write.output(++port, "(" + condition + ")" + (any.empty() ? "" : " && !(" + any + ")"));
     any += (any.empty() ? "" : " || ") + condition;
   }

@@ -39,7 +39,8 @@ yaml::Node* node_at(yaml::Node& node, const NodePath& path) {
 
 bool is_about_units(const yaml::Fault& fault) {
   const std::string text = fault.message.text();
-  return text.find(" is in ") != text.npos && text.find(", but ") != text.npos;
+  return text.find(" is in ") != text.npos &&
+         (text.find(", but ") != text.npos || text.find("neither unit is known") != text.npos);
 }
 
 /// Puts the Gain before a source of a block.

@@ -16,29 +16,45 @@ Unit& unit_of(BlockWriter& write) {
   return *child->second->unit;
 }
 
-/// True where the outputs of a subsystem are reset while it is off. Throws Untranslated for a mixture.
-bool resets_outputs(BlockWriter& write, Unit& unit) {
-  std::size_t reset = 0, count = 0;
+/// Returns an output while its subsystem is off.
+Rest rest_of(BlockWriter& write, const Block& outport, bool has_enable) {
   const Model& model = write.model().model();
-  for (const Block& block : write.block().system->blocks) {
-    if (block.type != "Outport") continue;
-    ++count;
-    if (text_of(model, block, "OutputWhenDisabled", "held") == "reset") ++reset;
-    const std::string initial = text_of(model, block, "InitialOutput", "[]");
-    const bool has_initial = initial != "[]" && !initial.empty();
-    if (has_initial && text_of(model, block, "OutputWhenDisabled", "held") != "reset")
+  Rest rest;
+  rest.is_reset = has_enable && text_of(model, outport, "OutputWhenDisabled", "held") == "reset";
+  const std::string initial = text_of(model, outport, "InitialOutput", "[]");
+  if (initial != "[]" && !initial.empty()) {
+    try {
+      rest.initial = write.model().evaluate(*write.instance().children.at(&write.block()), initial);
+    } catch (const ValueError& error) {
       write.deviates(
-          fmt::format("its output {} is {} before its first run in Simulink, and here what its "
-                      "blocks begin with",
-                      on_one_line(block.name), on_one_line(initial)));
-    const auto port = static_cast<std::size_t>(port_number(model, block));
-    if (port > 1000) continue;
-    if (unit.safe.size() < port) unit.safe.resize(port);
-    if (has_initial && initial != "0") unit.safe[port - 1] = initial;
+          fmt::format("its output {} is {} before its first run in Simulink, which {}; here it is "
+                      "what its blocks begin with",
+                      on_one_line(outport.name), on_one_line(initial).substr(0, 100), error.what()));
+    }
+    if (rest.initial && rest.initial->cells.empty()) rest.initial.reset();
   }
-  if (reset != 0 && reset != count)
-    write.deviates("holds some outputs while it is off and resets others; here all of them are reset");
-  return reset != 0;
+  if (rest.is_reset && !rest.initial) rest.initial = Value::of(0.0);
+  return rest;
+}
+
+/// Reads what the outputs of a subsystem are while it is off.
+void read_rests(BlockWriter& write, Unit& unit) {
+  const System& system = *write.block().system;
+  const bool has_trigger = block_of_type(system, "TriggerPort"),
+             has_enable = block_of_type(system, "EnablePort") || block_of_type(system, "ActionPort");
+  bool are_all_reset = true, are_plain = true;
+  for (const auto& [port, block] : write.instance().children.at(&write.block())->outports) {
+    const Rest rest = rest_of(write, *block, has_enable);
+    are_all_reset = are_all_reset && rest.is_reset;
+    are_plain = are_plain && rest.initial && rest.initial->is_scalar() && !rest.initial->has_formula();
+    if (rest.is_reset && has_trigger)
+      write.deviates(
+          fmt::format("its output {} is reset while it is disabled in Simulink, and here "
+                      "between its triggers as well",
+                      on_one_line(block->name)));
+    if (rest.is_reset || rest.initial) unit.rests[port] = rest;
+  }
+  unit.resets_outputs = !unit.rests.empty() && are_all_reset && are_plain;
 }
 
 std::string states_of(const BlockWriter& write, const char* type, const char* parameter) {
@@ -59,7 +75,8 @@ void conditional(BlockWriter& write) {
   const System& system = *write.block().system;
   Unit& unit = unit_of(write);
   write.make_part(unit.file);
-  const bool outputs = resets_outputs(write, unit);
+  read_rests(write, unit);
+  const bool outputs = unit.resets_outputs;
   if (block_of_type(system, "ActionPort"))
     write.key("enable", enable_node(write.source("ifaction"),
                                     states_of(write, "ActionPort", "InitializeStates") == "reset", outputs));

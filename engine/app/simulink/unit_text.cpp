@@ -53,7 +53,6 @@ void UnitTexts::join_units() {
 void UnitTexts::outputs_of(Unit& unit) {
   Instance& in = *unit.instance;
   for (const auto& [port, block] : in.outports) {
-    const auto index = static_cast<std::size_t>(port);
     std::string source = model_.source(in, *block, "in:1");
     if (!FlatModel::token_of(source)) {  // an output is that of a block
       const std::string name = unit.take_name(valid_name(block->name) + "_passed");
@@ -67,11 +66,8 @@ void UnitTexts::outputs_of(Unit& unit) {
       model_.blocks().push_back(std::move(flat));
       source = name;
     }
-    if (index > in.system->blocks.size()) continue;
-    if (unit.outputs.size() < index) unit.outputs.resize(index);
-    unit.outputs[index - 1] = {valid_name(block->name), source};
+    unit.outputs[port] = {valid_name(block->name), source};
   }
-  std::erase_if(unit.outputs, [](const auto& output) { return output.first.empty(); });
 }
 
 void UnitTexts::keep_used_variables(Unit& unit) {
@@ -100,6 +96,45 @@ void UnitTexts::wire_part(Unit& unit) {
   const bool is_single = unit.outputs.size() == 1;
   for (const auto& [port, block] : unit.instance->outports)
     user.outputs[port] = user.name + (is_single ? "" : "." + valid_name(block->name));
+  if (!unit.resets_outputs)
+    for (const auto& [port, rest] : unit.rests) replace_output(user, *unit.parent, port, rest);
+}
+
+/// Adds a block behind a part, and returns its name.
+static std::string add_behind(FlatBlock& part, Unit& in, const std::string& suffix, yaml::Node node) {
+  const std::string name = in.take_name(part.name + suffix);
+  part.made.emplace_back(name, std::move(node));
+  return name;
+}
+
+static yaml::Node expression_of(std::vector<yaml::Node> inputs, const std::string& formula) {
+  return map_of(
+      {{"block", word("Expression")}, {"u", list_of(std::move(inputs))}, {"expression", word(formula)}});
+}
+
+/// Returns the block that is 1 from the first run of a part on.
+static std::string has_run(FlatBlock& part, Unit& in) {
+  if (!part.has_run.empty()) return part.has_run;
+  part.has_run = in.take_name(part.name + "_has_run");
+  const std::string before =
+      add_behind(part, in, "_had_run",
+                 map_of({{"block", word("UnitDelay")}, {"u", word(part.has_run)}, {"initial", word("0")}}));
+  part.made.emplace_back(part.has_run,
+                         expression_of({word(part.name + ".active"), word(before)}, "u1 > 0 || u2 > 0"));
+  return part.has_run;
+}
+
+void UnitTexts::replace_output(FlatBlock& part, Unit& in, int port, const Rest& rest) {
+  const std::string output = part.outputs.at(port);
+  const std::string suffix = output == part.name ? "_output" : "_" + output.substr(part.name.size() + 1);
+  const std::string when = rest.is_reset ? part.name + ".active" : has_run(part, in);
+  yaml::Node initial =
+      rest.initial->is_scalar()
+          ? cell_node(rest.initial->cells[0])
+          : word(add_behind(part, in, suffix + "_initial",
+                            map_of({{"block", word("Constant")}, {"value", list_node(*rest.initial)}})));
+  part.outputs[port] = add_behind(
+      part, in, suffix, expression_of({word(when), word(output), std::move(initial)}, "u1 > 0 ? u2 : u3"));
 }
 
 yaml::Node UnitTexts::resolved(const yaml::Node& node) const {
@@ -175,11 +210,14 @@ yaml::Node UnitTexts::ports(const Unit& unit) const {
 
 void UnitTexts::add_outputs(yaml::Node& root, const Unit& unit) const {
   yaml::Node node;
-  for (std::size_t i = 0; i < unit.outputs.size(); ++i) {
-    const auto& [name, source] = unit.outputs[i];
+  for (const auto& [port, output] : unit.outputs) {
+    const auto& [name, source] = output;
     const yaml::Node signal = word(model_.resolved(source));
-    const std::string safe = i < unit.safe.size() ? unit.safe[i] : "";
-    add(node, name, safe.empty() ? signal : map_of({{"signal", signal}, {"safe", word(safe)}}));
+    const auto rest = unit.rests.find(port);
+    const bool has_safe =
+        unit.resets_outputs && rest != unit.rests.end() && rest->second.initial->number() != 0.0;
+    add(node, name,
+        has_safe ? map_of({{"signal", signal}, {"safe", value_node(*rest->second.initial)}}) : signal);
   }
   if (!node.entries.empty()) add(root, "outputs", std::move(node));
 }

@@ -26,6 +26,8 @@ class UnitTexts {
   void outputs_of(Unit& unit);
   void keep_used_variables(Unit& unit);
   void wire_part(Unit& unit);
+  /// Puts blocks behind an output of a part, by which it has the value of the model while the part is off.
+  static void replace_output(FlatBlock& part, Unit& in, int port, const Rest& rest);
   yaml::Node resolved(const yaml::Node& node) const;
   std::string blocks_text(const Unit& unit) const;
   std::string comments_text(const Unit& unit) const;

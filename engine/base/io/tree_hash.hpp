@@ -18,4 +18,10 @@ struct TreeHash {
 /// link.
 TreeHash tree_hash(const std::string& folder);
 
+/// Returns the same hash. Later calls of a process read no content while each file has the path, number,
+/// size and times of change that it had when it was hashed. The system sets the time of change at each change
+/// of content, and no program can set it back. Files that changed less than two seconds before they were
+/// hashed are hashed again. Thread-safe.
+std::string known_tree_hash(const std::string& folder);
+
 }  // namespace stepwire::io

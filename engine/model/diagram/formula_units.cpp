@@ -8,6 +8,7 @@
 
 #include "engine/base/expression/expression.hpp"
 #include "engine/base/unit/meaning.hpp"
+#include "engine/model/diagram/unit_faults.hpp"
 #include "engine/model/diagram/units.hpp"
 
 namespace stepwire::diagram {
@@ -117,13 +118,20 @@ class BlockFormulas {
     return name == "u" ? 0 : none;
   }
 
+  /// Returns the name of a variable with its source: "u1 (spring)".
+  std::string shown(const std::string& name) const {
+    const std::size_t input = input_of(name);
+    const bool has_source = input < sources_->size() && (*sources_)[input].block >= 0;
+    return has_source ? fmt::format("{} ({})", name, UnitFaults(report_).name_of((*sources_)[input])) : name;
+  }
+
   void refuse(const Value& text, const Expression& formula, const std::vector<Measure>& measures,
               const ExpressionError& error) {
     std::vector<std::string> units;
     for (std::size_t i = 0; i < measures.size(); ++i)
       if (measures[i].dimension)
         units.push_back(
-            fmt::format("{} is in {}", formula.variables()[i], unit::si_name(*measures[i].dimension)));
+            fmt::format("{} is in {}", shown(formula.variables()[i]), unit::si_name(*measures[i].dimension)));
     const yaml::Mark own = block_.parameter_marks[parameter_];
     const yaml::Mark mark = text.line > 0 ? yaml::Mark{text.line, text.column} : own;
     const std::string where = units.empty() ? "" : fmt::format(", where {}", fmt::join(units, ", "));

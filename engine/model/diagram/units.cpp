@@ -223,6 +223,8 @@ class Inference : UnitTerms {
       return evaluate(units.states[static_cast<std::size_t>(equation.state)], equation.block);
     if (const int input = type.input(equation.port); input >= 0)
       return evaluate(units.inputs[static_cast<std::size_t>(input)], equation.block);
+    if (const int output = type.output(equation.port); output >= 0)
+      return units_of_output(equation.block, output);
     for (std::size_t i = 0; i < type.parameters.size(); ++i)
       if (type.parameters[i].name == equation.port) return evaluate(units.parameters[i], equation.block);
     return std::nullopt;

@@ -35,9 +35,11 @@ std::string parts_cache() {
 /// True for the forms of an address by which git connects to another machine.
 bool is_remote(const std::string& git) {
   static const std::regex https(R"(https://[A-Za-z0-9][^@]*)");
-  static const std::regex ssh(R"((ssh://)?[A-Za-z0-9_][A-Za-z0-9_.-]*@[A-Za-z0-9][A-Za-z0-9.-]*[:/][^-].*)");
+  static const std::regex ssh(R"(ssh://[A-Za-z0-9_][A-Za-z0-9_.-]*@[A-Za-z0-9][A-Za-z0-9.-]*[:/][^-].*)");
+  static const std::regex short_ssh(R"([A-Za-z0-9_][A-Za-z0-9_.-]*@[A-Za-z0-9][A-Za-z0-9.-]*:[^-].*)");
   static const std::regex ssh_alone(R"(ssh://[A-Za-z0-9][A-Za-z0-9.-]*[:/][^-@][^@]*)");
-  return std::regex_match(git, https) || std::regex_match(git, ssh) || std::regex_match(git, ssh_alone);
+  return std::regex_match(git, https) || std::regex_match(git, ssh) || std::regex_match(git, short_ssh) ||
+         std::regex_match(git, ssh_alone);
 }
 
 bool has_control_characters(const std::string& text) {
@@ -90,11 +92,27 @@ Message name_problem(const std::string& name, const std::string& file) {
   return {};
 }
 
+bool is_path_address(const std::string& git) {
+  return git.find("://") == std::string::npos && git.find(':') >= git.find('/');
+}
+
+/// Returns the problem of an address that is no path and has no scheme; empty for user@host:path.
+static Message short_address_problem(const std::string& git, const std::string& file) {
+  std::error_code none;
+  const bool is_there = fs::exists(fs::path(file).parent_path() / git, none);
+  if (is_remote(git) && !is_there) return {};
+  return Message(fmt::format("'{}' {}", text::visible(git),
+                             is_there ? "is a path here, and git takes it for an address" : "has no user"),
+                 fmt::format("write ./{} for the path{}", text::visible(git),
+                             is_remote(git) ? ", or ssh://user@host/path" : ", or user@host:path"));
+}
+
 Message git_problem(const std::string& git, const std::string& file) {
   constexpr const char* allowed = "write an address with https://, ssh://, user@host:path, file:// or a path";
   if (git.empty()) return Message("has no address", allowed);
   if (has_control_characters(git) || git.starts_with('-') || git.find("::") != std::string::npos)
     return yaml::fault_text("'{}' is no address; {}", text::visible(git), allowed);
+  if (git.find("://") == std::string::npos && !is_path_address(git)) return short_address_problem(git, file);
   if (is_remote(git)) return {};
   const bool is_url = git.find("://") != std::string::npos, is_file = git.starts_with("file:///");
   if (is_url && git.find('@') != std::string::npos)
@@ -181,7 +199,7 @@ Message FetchedTrees::problem(const Use& use, const std::string& file) {
   if (!fs::is_directory(folder, none))
     return Message(fmt::format("{} at {} is not fetched", use.name, use.rev), fetch + " fetches it");
   auto& hash = hashes_[folder];
-  if (hash.empty()) hash = io::tree_hash(folder).sha256;
+  if (hash.empty()) hash = io::known_tree_hash(folder);
   if (hash == use.sha256) return {};
   return Message(fmt::format("the fetched files of {} at {} were changed: their sha256 is {}, not {}",
                              use.name, use.rev, hash, use.sha256),

@@ -35,6 +35,8 @@ yaml::Message name_problem(const std::string& name, const std::string& file);
 /// Returns what is wrong with an address; empty for https, ssh, file:// and paths. Addresses by which git
 /// runs programs are refused, and addresses with a password. In a fetched file a relative path is refused.
 yaml::Message git_problem(const std::string& git, const std::string& file);
+/// True for an address that is a path for git: it has no scheme, and no colon before the first slash.
+bool is_path_address(const std::string& git);
 /// True for the 40 hexadecimal digits of a commit.
 bool is_full_commit(const std::string& rev);
 /// True for 64 hexadecimal digits.

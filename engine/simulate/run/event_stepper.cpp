@@ -46,6 +46,7 @@ struct EventStepper::BetweenTicks {
   double edge() const { return of.looks_.next_edge(); }
   void before(double at) const {
     const double now = of.values_[plan::Layout::time];
+    if (of.observer) of.observer->before_instant(of.values_);
     if (of.sides_) of.sides_->before(now, at);
     of.left_.update(now);
     of.stepper_.follow_time();
@@ -59,6 +60,7 @@ struct EventStepper::BetweenTicks {
   }
   bool after() const {
     settle();
+    if (of.observer) of.observer->after_event(of.values_);
     if (of.sides_) of.sides_->after_event();
     return of.looks_.stops();
   }

@@ -25,6 +25,10 @@ class EventStepper {
   EventStepper(BoundBlocks& blocks, Participants& who, Stepper& stepper, LeftSide& left, DiscretePhase& phase,
                BothSides* sides);
 
+  /// Observer of located events; nullptr: none. Just before an event it reads the signals of the crossing
+  /// functions alone.
+  SideObserver* observer = nullptr;
+
   /// Keeps the states before the updates of a tick.
   void keep_states();
   void step(std::int64_t tick);

@@ -27,10 +27,16 @@ Executor::Executor(const plan::Plan& plan)
 }
 
 void Executor::use(const plan::CompiledPlan& code) {
-  if (sides_) return;
+  if (sides_ || (events_ && events_->observer)) return;
   numbers_.emplace(plan_, code.variable, [this](std::size_t block) { return blocks_.memory(block); });
   code_ = &code;
   for (const auto& [block, written] : setter_.written()) read_numbers(block);
+}
+
+void Executor::show_events(SideObserver* observer) {
+  if (!events_) return;
+  events_->observer = observer;
+  if (observer) code_ = nullptr;
 }
 
 std::optional<plan::NumberTable> Executor::numbers(const std::vector<plan::VariableBlock>& variable) const {

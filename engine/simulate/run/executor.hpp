@@ -39,8 +39,8 @@ class Executor {
   Executor& operator=(const Executor&) = delete;
 
   /// Switches to compiled code, which must outlive this object. Call it between advance() and evaluate(). Has
-  /// no effect if the code was compiled for other numbers than this run's, or if both sides of instants are
-  /// recorded.
+  /// no effect if the code was compiled for other numbers than this run's, or while both sides of instants
+  /// are recorded or events are observed.
   void use(const plan::CompiledPlan& code);
   bool compiled() const { return code_ != nullptr; }
   /// Extends `variable` by the members that code must read from a table for the present values.
@@ -108,6 +108,8 @@ class Executor {
   void show_sides(SideObserver* observer) {
     if (sides_) sides_->observer = observer;
   }
+  /// Sets the observer of located events; nullptr removes it. The run is interpreted meanwhile.
+  void show_events(SideObserver* observer);
   /// Loads a snapshot that was taken between advance() and evaluate(). The present parameter values stay.
   void restore(const Workspace& workspace);
 

@@ -97,22 +97,22 @@ function inColor(svg, change) {
   return svg.replaceAll(`"${ink}"`, `"${color}"`).replace(/stroke-width="1\.2"/g, stroke.includes("width") ? stroke : `stroke-width="1.6" ${stroke}`);
 }
 
-/** A disc with the sign of a change, at the upper right corner of a block. */
+/** A disc with the sign of a change, at the upper right corner of a block; of a triangle at the corner of its base. */
 function badge(block) {
   const look = looks[block.change];
   if (!look) return "";
-  const x = block.x + block.width, y = block.y;
+  const isLeft = block.outline === "triangle" && !block.flipped, x = block.x + (isLeft ? 0 : block.width), y = block.y;
   return `<circle cx="${n(x)}" cy="${n(y)}" r="7.5" fill="${look.color}"/>` + text(x, y, look.sign, {size: 13, fill: "#fff", style: ` font-weight="bold"`});
 }
 
 const middleOf = ([[ax, ay], [bx, by]]) => [(ax + bx) / 2, (ay + by) / 2];
 const lengthOf = ([[ax, ay], [bx, by]]) => Math.abs(ax - bx) + Math.abs(ay - by);
 
-/** A sign on the longest piece of a wire that it does not share with one that stayed. */
-function signOfWire({change, points}, stayed) {
+/** A sign on the longest piece of a wire that it does not share with others. */
+function signOfWire({change, points}, others) {
   const look = looks[change];
   if (!look) return "";
-  const all = segmentsOf(points), own = all.filter((piece) => !stayed.some((other) => lies(middleOf(piece), other)));
+  const all = segmentsOf(points), own = all.filter((piece) => !others.some((other) => lies(middleOf(piece), other)));
   const longest = (own.length ? own : all).reduce((best, one) => (lengthOf(one) > lengthOf(best) ? one : best));
   const [x, y] = middleOf(longest);
   return `<circle cx="${n(x)}" cy="${n(y)}" r="6" fill="#fff" stroke="${look.color}"/>` + text(x, y, look.sign, {size: 11, fill: look.color, style: ` font-weight="bold"`});
@@ -154,8 +154,11 @@ const drawnLine = ({line, fill = ink, style = ""}, y) => text(20, y, line, {size
 /** The picture of two versions as the text of an SVG file: the drawing, a legend, and the changes in words. */
 export async function drawCompared(compared, elk) {
   const picture = await arrange(united(compared), elk);
-  picture.wires.sort((a, b) => Number(Boolean(a.change)) - Number(Boolean(b.change)));  // what stayed is drawn whole
-  const pieces = piecesOf(picture), stayed = picture.wires.filter(({change}) => !change).flatMap(({points}) => segmentsOf(points));
+  const rank = ({change}) => (change ? (change === "removed" ? 1 : 2) : 0);  // a gone wire is below the one in its place
+  picture.wires.sort((a, b) => rank(a) - rank(b));
+  const pieces = piecesOf(picture);
+  const hides = (one, wire) => one !== wire && (!one.change || rank(one) > rank(wire));
+  const othersOf = (wire) => picture.wires.filter((one) => hides(one, wire)).flatMap(({points}) => segmentsOf(points));
   const lines = listed(compared.lines ?? []), left = Math.max(0, (leastWidth - picture.width) / 2);
   const below = picture.height + 24, height = below + 30 + lines.length * stepOfLine;
   const size = {width: Math.max(picture.width + 16, leastWidth, ...lines.map(({line}) => 40 + 6.4 * line.length)), height};
@@ -165,7 +168,7 @@ export async function drawCompared(compared, elk) {
     ...pieces.wires.filter(({wire}) => wire.change).map(({wire, svg}) => inColor(svg, wire.change)),
     pieces.forks,
     ...pieces.blocks.map(({block, svg}) => inColor(svg, block.change)),
-    ...picture.wires.map((wire) => signOfWire(wire, stayed)),
+    ...picture.wires.map((wire) => signOfWire(wire, othersOf(wire))),
     ...picture.blocks.map(badge),
   ]);
   return page(size, compared.after.title, [drawn, legend(below), ...lines.map((line, i) => drawnLine(line, below + 30 + i * stepOfLine))]);

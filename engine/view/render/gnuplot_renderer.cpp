@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -335,14 +336,39 @@ std::string text_commands(const plot::PlotSpec& plot) {
   return commands;
 }
 
+/// Returns the step that gnuplot chooses for the numbers along an axis (quantize_normal_tics in its axis.c).
+double chosen_step(double length) {
+  const double power = std::pow(10.0, std::floor(std::log10(length))), count = 20.0 * power / length;
+  const double steps[][2] = {{40.0, 0.05}, {20.0, 0.1}, {10.0, 0.2}, {4.0, 0.5}, {2.0, 1.0}};
+  for (const auto& [least, step] : steps)
+    if (count > least) return step * power;
+  return 2.0 * power;
+}
+
+/// Returns the letters of the longest number along an axis; 0 for texts and logarithms.
+std::size_t longest_number(const plot::PlotAxis& axis) {
+  if (!axis.range || axis.log || !axis.named_ticks.empty()) return 0;
+  const auto [low, high] = *axis.range;
+  const double step = axis.step.value_or(chosen_step(high - low));
+  std::size_t longest = 0;
+  const double first = std::ceil(low / step);
+  for (int k = 0; k < 100 && step * (first + k) <= high; ++k)
+    longest = std::max(longest, fmt::format("{:.6g}", step * (first + k)).size());
+  return longest;
+}
+
 /// Returns the margins. Panels above each other have equal ones, and a colour bar leaves the axes as wide as
 /// those without one.
 std::string margins(const plot::FigureSpec& figure) {
   if (!figure.aligned) return {};
-  const bool colored = std::ranges::any_of(figure.panels, [](const plot::PanelSpec& panel) {
-    return std::get<plot::PlotSpec>(panel.content).color.has_value();
-  });
-  return fmt::format("set lmargin 10\nset rmargin {}\n{}", colored ? 15 : 3,
+  bool colored = false;
+  std::size_t letters = 5;  // five letters and the label have room in ten
+  for (const plot::PanelSpec& panel : figure.panels) {
+    const auto& plot = std::get<plot::PlotSpec>(panel.content);
+    colored = colored || plot.color.has_value();
+    letters = std::max(letters, longest_number(plot.y));
+  }
+  return fmt::format("set lmargin {}\nset rmargin {}\n{}", letters + 5, colored ? 15 : 3,
                      "set colorbox user origin graph 1.02, graph 0 size graph 0.035, graph 1\n");
 }
 

@@ -72,6 +72,39 @@ TEST_CASE("run --coverage names the intervals and cells of tables that no run us
   CHECK(conditions[1]["branches"][2]["ticks"] == 11);
 }
 
+TEST_CASE("run --coverage sees both sides of located events: a ball touches the floor between ticks alone") {
+  const Scratch folder;
+  const std::string text = content_of(STEPWIRE_SOURCE_DIR "/diagrams/examples/108-ball.yaml");
+  folder.file("ball.yaml", text);
+  const Done plain = run_program(folder, {"run", "ball.yaml", "--out", "plain"});
+  const Done done = run_program(folder, {"run", "ball.yaml", "--coverage", "--out", "out"});
+  INFO(done.out << done.err);
+  CHECK(plain.code == 0);
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out, Contains("coverage: 6 of 6 branches"));
+  CHECK(content_of(folder.path("out/signals.csv")) == content_of(folder.path("plain/signals.csv")));
+  const auto conditions = nlohmann::json::parse(content_of(folder.path("out/coverage.json")))["conditions"];
+  for (const auto& condition : conditions)
+    if (condition["what"] == "u passes `to`") CHECK(condition["branches"][1]["ticks"] >= 18);  // bounces
+}
+
+TEST_CASE("run --coverage names the cells of tables of several dimensions") {
+  const Scratch folder;
+  const std::string head = "stepwire: 1\nstep: 0.1 s\nstop: 1 s\nblocks:\n  ramp: {block: Ramp, slope: 1}\n";
+  folder.file("cells.yaml", head +
+                                "  cube: {block: LookupTableND, u: [ramp, 4, 1], "
+                                "points: [[0, 0.45, 2], [3, 5, 7], [0, 1 + 1]],\n"
+                                "         values: [[[0, 0], [0, 0], [0, 0]], [[0, 0], [0, 0], [0, 0]], "
+                                "[[0, 0], [0, 0], [0, 0]]]}\nrecord: [cube]\n");
+  const Done done = run_program(folder, {"run", "cells.yaml", "--coverage"});
+  INFO(done.out << done.err);
+  CHECK_THAT(done.out,
+             Contains("coverage: 2 of 4 branches") &&
+                 Contains("cube (LookupTableND): the table: never u1 from 0 to 0.45, u2 from 5 to 7, "
+                          "u3 from 0 to 2") &&
+                 !Contains("u2 from 3 to 5"));
+}
+
 TEST_CASE("run --coverage counts the conditions that a formula has, and elements one by one") {
   const Scratch folder;
   folder.file("formula.yaml",

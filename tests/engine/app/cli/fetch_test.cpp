@@ -197,6 +197,33 @@ TEST_CASE("addresses by which git would run a program, and other schemes, are re
   CHECK(shop.run({"fetch", "main.yaml"}).code == 0);
 }
 
+TEST_CASE("a path may have an @, and text that git takes for an address is refused where it is a path") {
+  const Workshop shop;
+  const std::string hash = shop.fetched(shop.first);
+  for (const char* name : {"my@repo", "me@host"})
+    fs::copy(shop.folder.path("lib"), shop.folder.path(name), fs::copy_options::recursive);
+  fs::create_directory(shop.folder.path("below"));
+  for (const char* address : {"./my@repo", "my@repo", "below/../me@host"}) {
+    fs::remove_all(shop.folder.path("cache/parts"));
+    shop.use(shop.first, ", sha256: " + hash, address);
+    const Done done = shop.run({"fetch", "main.yaml"});
+    INFO(address << "\n" << done.out << done.err);
+    CHECK(done.code == 0);
+    CHECK(shop.run({"run", "main.yaml"}).code == 0);
+  }
+  fs::copy(shop.folder.path("lib"), shop.folder.path("me@host:lib"), fs::copy_options::recursive);
+  shop.use(shop.first, ", sha256: " + hash, "me@host:lib");
+  CHECK_THAT(
+      shop.run({"fetch", "main.yaml"}).err,
+      Contains("'me@host:lib' is a path here, and git takes it for an address; write ./me@host:lib for "
+               "the path, or ssh://user@host/path"));
+  shop.use(shop.first, ", sha256: " + hash, "./me@host:lib");
+  CHECK(shop.run({"fetch", "main.yaml"}).code == 0);
+  shop.use(shop.first, ", sha256: " + hash, "host:lib");
+  CHECK_THAT(shop.run({"check", "main.yaml"}).err,
+             Contains("'host:lib' has no user; write ./host:lib for the path, or user@host:path"));
+}
+
 TEST_CASE("a link that leads out of a repository is refused, one inside is kept") {
   const Workshop shop;
   fs::create_symlink("doubler.yaml", shop.folder.path("lib/same.yaml"));

@@ -166,3 +166,26 @@ TEST_CASE("an interrupted study leaves nothing half-written") {
   for (const auto& entry : std::filesystem::directory_iterator(folder.path("out")))
     CHECK(entry.path().filename() == ".stepwire");  // the list of what a run has written
 }
+
+TEST_CASE("verify computes trials, errors and tables of a study again") {
+  const Scratch folder;
+  folder.file("study.yaml", small_study());
+  REQUIRE(
+      run_program(folder, {"study", "study.yaml", "--subjects", "4", "--seed", "7", "--out", "out"}).code <
+      2);
+  CHECK(run_program(folder, {"verify", "out"}).code == 0);
+  for (const std::string file : {"trials.csv", "errors.csv", "tables.txt"}) {
+    const std::string text = content_of(folder.path("out/" + file));
+    std::string other = text;
+    const std::size_t digit = other.find_last_of("12345678");
+    REQUIRE(digit != std::string::npos);
+    ++other[digit];
+    folder.file("out/" + file, other);
+    const Done changed = run_program(folder, {"verify", "out"});
+    INFO(file << "\n" << changed.out << changed.err);
+    CHECK(changed.code == 1);
+    CHECK_THAT(changed.out,
+               Catch::Contains("out/" + file + ":") && Catch::Contains("when it is computed again"));
+    folder.file("out/" + file, text);
+  }
+}

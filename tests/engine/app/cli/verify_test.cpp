@@ -23,7 +23,10 @@ TEST_CASE("verify says that all bits of a run agree, also after the diagram has 
   const Done done = run_program(folder, {"verify", "out/"});
   CHECK(done.code == 0);
   CHECK(done.err.empty());
-  CHECK(done.out == "out/: 2 signals in 501 rows: all bits agree\n");
+  CHECK(done.out ==
+        "out/: 2 signals in 501 rows: all bits agree\n"
+        "out/: claims and tables are not computed again: lag.yaml with the values of the run cannot be read "
+        "now\n");
 }
 
 TEST_CASE("verify names the first number that differs and ends with 1, whatever the other folders are") {
@@ -81,4 +84,41 @@ TEST_CASE("what an interrupted run has recorded is verified without waiting for 
   const Done done = run_program(folder, {"verify", "out"});
   CHECK(done.code == 0);
   CHECK_THAT(done.out, Contains("all bits agree; the run ended early"));
+}
+
+TEST_CASE("verify judges the claims again, and names the first line of claims.json that differs") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml + "  - {that: it rises, final: lag, at_least: 0}\n");
+  REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out", "--set", "tau=0.2 s"}).code < 2);
+  CHECK(run_program(folder, {"verify", "out"}).out == "out: 2 signals in 501 rows: all bits agree\n");
+  const std::string claims = content_of(folder.path("out/claims.json"));
+  change(folder, "out/claims.json", "\"holds\": true", "\"holds\": false");
+  const Done changed = run_program(folder, {"verify", "out"});
+  INFO(changed.out << changed.err);
+  CHECK(changed.code == 1);
+  CHECK_THAT(changed.out,
+             Contains("out/claims.json:8: the claim 'the lag gets there' has \"holds\": false, and "
+                      "\"holds\": true when it is judged again"));
+  folder.file("out/claims.json", claims);
+  change(folder, "lag.yaml", "  lag:", "  other: {block: Constant, value: 1}\n  lag:");
+  const Done other = run_program(folder, {"verify", "out"});
+  CHECK(other.code == 0);
+  CHECK_THAT(other.out,
+             Contains("out: claims and tables are not computed again: lag.yaml is another diagram"));
+  std::filesystem::remove(folder.path("lag.yaml"));
+  CHECK_THAT(run_program(folder, {"verify", "out"}).out,
+             Contains("lag.yaml with the values of the run cannot be read"));
+}
+
+TEST_CASE("verify judges the claims of a sweep again") {
+  const Scratch folder;
+  folder.file("sweep.yaml",
+              "stepwire: 1\ntitle: t\nstep: 0.5 s\nstop: 2 s\nparameters: {gain: 1}\nblocks:\n"
+              "  a: {block: Clock}\n  b: {block: Gain, u: a, gain: $gain}\nrecord: b\n"
+              "sweep: {gain: [1, 2, 3]}\nclaims:\n  - {that: it grows, each_run: true, final: b - 2*gain, "
+              "equals: 0}\n");
+  REQUIRE(run_program(folder, {"run", "sweep.yaml", "--out", "out"}).code == 0);
+  CHECK(run_program(folder, {"verify", "out"}).code == 0);
+  change(folder, "out/claims.json", "\"value\": 0", "\"value\": 3");
+  CHECK_THAT(run_program(folder, {"verify", "out"}).out, Contains("the claim 'it grows' has \"value\": 3"));
 }

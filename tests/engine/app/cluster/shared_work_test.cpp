@@ -64,8 +64,8 @@ std::string study_text(session::LoadedModel& model, messages::ItemWorkers* worke
   call.workers = workers;
   const auto experiments = session.study(model, call);
   const session::Outcome outcome = session::study_outcome(model, *experiments);
-  std::string text = session::tables_text(model) + session::errors_text(model, *experiments, outcome) +
-                     result::json_of(session::StudyReport{&model, experiments.get()}).text();
+  std::string text = result::json_of(session::StudyReport{&model, experiments.get()}).text();
+  for (const session::StudyFile& file : session::study_texts(model, *experiments, outcome)) text += file.text;
   for (const record::Recording& recording : outcome.result.recordings)
     text += session::signals_csv(recording);
   return text;

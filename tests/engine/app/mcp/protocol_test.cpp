@@ -62,7 +62,7 @@ TEST_CASE("the schemas of tools are those of the verbs' options") {
   const Client client;
   const json tools = client.exchange({request(1, "tools/list")})[0]["result"]["tools"];
   for (const char* name :
-       {"check", "blocks", "format", "draw", "run", "claims", "diff", "fit", "linearize", "trim"})
+       {"check", "blocks", "format", "draw", "run", "claims", "diff", "fit", "linearize", "trim", "import"})
     CHECK(tool_named(tools, name)["inputSchema"]["type"] == "object");
   const json run = tool_named(tools, "run")["inputSchema"];
   CHECK(run["properties"]["engine"]["type"] == "string");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
 
 #include "tests/engine/app/mcp/client.hpp"
 
@@ -303,4 +304,26 @@ claims:
   - {that: share, fraction_of_runs: rest < 0.06, equals: 2/3, within: 0.002}
 )yaml",
                           ""));
+}
+
+TEST_CASE("task: a Simulink model is imported, its report is data, and the diagram runs") {
+  const Client client;
+  std::filesystem::copy(STEPWIRE_SOURCE_DIR "/diagrams/tank.slx", client.folder().path("tank.slx"));
+  const json folder = {{"folder", client.folder().path("")}};
+  json call = folder;
+  call.update({{"file", "tank.slx"}, {"out", "made/tank.yaml"}});
+  const json data = client.call("import", call)["structuredContent"];
+  INFO(data.dump(1));
+  CHECK(data["exit"] == 1);  // an S-Function has no counterpart
+  CHECK(data["result"]["translated"] == 9);
+  CHECK(data["result"]["notes"][0]["kind"] == "placeholder");
+  CHECK(data["result"]["files"] == json({"made/tank.yaml", "made/tank-parts/Level_sensor.yaml"}));
+  json check = folder;
+  check["file"] = "made/tank.yaml";
+  CHECK(client.call("check", check)["structuredContent"]["exit"] == 0);
+  call["out"] = "../tank.yaml";
+  CHECK(client.call("import", call)["isError"] == true);
+  call["out"] = "text.yaml";
+  call["text"] = "stepwire: 1";
+  CHECK(client.call("import", call)["isError"] == true);
 }

@@ -28,3 +28,20 @@ TEST_CASE("the hash of a folder is that of a sorted list of paths and hashes") {
   CHECK(tree_hash(folder.path("tree")).sha256 != hash.sha256);
   CHECK_THROWS_AS(tree_hash(folder.path("nothing")), stepwire::io::EnvironmentError);
 }
+
+TEST_CASE("a known hash follows each change of content, also with the size and time of before") {
+  using stepwire::io::known_tree_hash;
+  const Scratch folder;
+  fs::create_directory(folder.path("tree"));
+  folder.file("tree/a.txt", "one\n");
+  const std::string path = folder.path("tree"), file = folder.path("tree/a.txt");
+  CHECK(known_tree_hash(path) == tree_hash(path).sha256);
+  CHECK(known_tree_hash(path) == tree_hash(path).sha256);
+  const auto time = fs::last_write_time(file);
+  folder.file("tree/a.txt", "two\n");
+  fs::last_write_time(file, time);
+  CHECK(known_tree_hash(path) == tree_hash(path).sha256);
+  fs::rename(file, folder.path("tree/b.txt"));
+  CHECK(known_tree_hash(path) == tree_hash(path).sha256);
+  CHECK_THROWS_AS(known_tree_hash(folder.path("nothing")), stepwire::io::EnvironmentError);
+}

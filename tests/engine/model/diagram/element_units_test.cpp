@@ -23,7 +23,8 @@ TEST_CASE("a Mux joins signals of different units, and each element keeps its ow
   CHECK(units_of(pendulum + "  late: {block: UnitDelay, u: y, every: 1 ms}\n", "late") == "m, rad");
   CHECK(units_of(pendulum + "  one: {block: Gain, u: y.1, gain: 2 N/m}\n", "one") == "N");
   CHECK(faults_of(pendulum + "  f: {block: Mass, mass: 1 kg, force: y.1}\n").at(0) ==
-        "test.yaml:9:39: f.force: y is in m, but f.force is in N");
+        "test.yaml:9:39: f.force: y is in m, but f.force is in N; connect a signal in N, or put a Gain in "
+        "N/m between them");
   CHECK(faults_of(pendulum + "  c: {block: Compare, u: y, operator: greater, to: 1 N}\n").size() == 1);
 }
 

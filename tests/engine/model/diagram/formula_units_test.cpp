@@ -41,9 +41,9 @@ Lines faults_of_machine(const std::string& keys) {
 TEST_CASE("a formula that joins different units is refused with its place and the units of its signals") {
   CHECK(
       faults_of_expression("u: [way, heat], variables: [x, T], expression: x + T") ==
-      Lines{
-          "test.yaml:12:73: y.expression: 'x + T', character 3: '+' joins m and K, where x is in m, T is in "
-          "K; they must have the same unit: give a number its unit, or divide a value by one, as u1/(1 m)"});
+      Lines{"test.yaml:12:73: y.expression: 'x + T', character 3: '+' joins m and K, where x (way) is in m, "
+            "T (heat) is in K; they must have the same unit: give a number its unit, or divide a value by "
+            "one, as u1/(1 m)"});
   for (const std::string formula :
        {"u1 > u2 ? 1 : 0", "max(u1, u2)", "sin(u1)", "u1 + 3 s", "u1 > $warm", "u1 - warm", "u2 > limit",
         "u2 - 20 mm", "u1 == $rate", "u1 > 3 N/m", "u1 + 2 N m"})

@@ -84,8 +84,7 @@ TEST_CASE("what is recorded may be named as an element is, and is no element of 
   const auto names = [&](const std::string& record) {
     const run::RunResult result = result_of(vector + record);
     Lines names;
-    for (const table::Column& column : result.recordings[0].table.columns)
-      names.push_back(column.name);
+    for (const table::Column& column : result.recordings[0].table.columns) names.push_back(column.name);
     return names;
   };
   CHECK(names("record: {signals: {x.2: v.2}}\n") == Lines{"time", "x.2"});
@@ -101,7 +100,8 @@ TEST_CASE("a file may say the unit of a signal, which then holds along its wires
   CHECK(result_of(blocks).recordings.at(0).table.columns.at(1).unit.empty());
   CHECK(result_of(blocks + "units: {a: N}\n").recordings.at(0).table.columns.at(1).unit == "N m");
   CHECK(faults_of("units: {a: N}\nblocks: {a: {block: Constant, value: 2 s}}\n") ==
-        Lines{"test.yaml:1:12: units.a: a is in s, but units.a is in N"});
+        Lines{"test.yaml:1:12: units.a: a is in s, but units.a is in N; connect a signal in N, or put a Gain "
+              "in N/s between them"});
   CHECK(faults_of(blocks + "units: {c: N, a: 5}\n") ==
         Lines{"test.yaml:5:9: units.c: there is no block 'c'", "test.yaml:5:18: units.a: '5' is no unit"});
   CHECK(faults_of(blocks + "units: N\n") == Lines{"test.yaml:5:8: units: must be a map of signal: unit"});

@@ -127,11 +127,12 @@ TEST_CASE("ends that do not fit are refused at the wire, whether it enters a par
   folder.write("main.yaml",
                head + "solver: rk4\nblocks:\n  p: {diagram: part.yaml, f: 3 N}\n" + mass + "p}\n");
   CHECK(folder.faults("main.yaml") ==
-        Lines{"main.yaml:7:27: m.force: p.m.velocity is in m/s, but m.force is in N"});
+        Lines{"main.yaml:7:27: m.force: p.m.velocity is in m/s, but m.force is in N; connect a signal in N, "
+              "or put a Gain in N s/m between them"});
   folder.write("in.yaml",
                head + "solver: rk4\nblocks:\n" + mass + "1 N}\n  p: {diagram: part.yaml, f: m.position}\n");
-  CHECK(folder.faults("in.yaml") ==
-        Lines{"in.yaml:7:30: p.m.force: m.position is in m, but p.m.force is in N"});
+  CHECK(folder.faults("in.yaml") == Lines{"in.yaml:7:30: p.m.force: m.position is in m, but p.m.force is in "
+                                          "N; connect a signal in N, or put a Gain in N/m between them"});
 }
 
 TEST_CASE("a part that is not beside its user is found in the first folder of STEPWIRE_PARTS that has it") {

@@ -33,13 +33,25 @@ std::string fault_of(const std::string& blocks) {
 
 TEST_CASE("a wire whose ends have different units is refused, with both ends") {
   CHECK(fault_of("  n: {block: Mass, force: m.velocity}\n") ==
-        "test.yaml:4:27: n.force: m.velocity is in m/s, but n.force is in N");
+        "test.yaml:4:27: n.force: m.velocity is in m/s, but n.force is in N; connect a signal in N, or put a "
+        "Gain in N s/m between them");
   CHECK(fault_of("  n: {block: Mass, force: 3 mm}\n") ==
-        "test.yaml:4:27: n.force: the number is in m, but n.force is in N");
+        "test.yaml:4:27: n.force: the number is in m, but n.force is in N; write it in N");
   CHECK(fault_of("  s: {block: Sum, u: [m.position, m.velocity]}\n") ==
-        "test.yaml:4:35: s.u: m.velocity is in m/s, but s.u is in m");
+        "test.yaml:4:35: s.u: m.velocity is in m/s, but s.u is in m; connect a signal in m, or put a Gain in "
+        "s between them");
   CHECK(fault_of("  i: {block: Integrator, u: m.velocity, initial: 3 N}\n") ==
-        "test.yaml:4:50: i.initial: the initial value is in N, but i.initial is in m");
+        "test.yaml:4:50: i.initial: the initial value is in N, but i.initial is in m; write it in m");
+}
+
+TEST_CASE("a cure of units holds: the named Gain fits between both ends") {
+  const std::string wrong = "  n: {block: Mass, force: m.velocity}\n";
+  const std::string fault = fault_of(wrong), before = "put a Gain in ";
+  const std::size_t at = fault.find(before) + before.size();
+  const std::string unit = fault.substr(at, fault.find(" between") - at);
+  CHECK(faults_of(head + "  g: {block: Gain, u: m.velocity, gain: 1 " + unit +
+                  "}\n  n: {block: Mass, force: g}\n")
+            .empty());
 }
 
 TEST_CASE("units pass through the blocks in between") {
@@ -97,7 +109,8 @@ TEST_CASE("the units that a part declares for its ports hold at its border") {
   folder.write("into.yaml",
                main + "  p: {diagram: part.yaml, f: m.velocity}\n  m: {block: Mass, force: 1 N}\n");
   CHECK(folder.faults("into.yaml") ==
-        std::vector<std::string>{"into.yaml:6:30: p.f: m.velocity is in m/s, but p.f is in N"});
+        std::vector<std::string>{"into.yaml:6:30: p.f: m.velocity is in m/s, but p.f is in N; connect a "
+                                 "signal in N, or put a Gain in N s/m between them"});
   folder.write("out.yaml", main + "  p: {diagram: part.yaml, f: 3 N}\n  m: {block: Mass, force: p}\n");
   const auto out = folder.faults("out.yaml");
   REQUIRE(out.size() == 1);
@@ -106,7 +119,7 @@ TEST_CASE("the units that a part declares for its ports hold at its border") {
 
 TEST_CASE("one wrong unit is told once, however many wires it contradicts") {
   CHECK(fault_of("  s: {block: Sum, u: [m.position, 3 N, 4 N]}\n  n: {block: Mass, force: s}\n") ==
-        "test.yaml:4:35: s.u: the number is in N, but s.u is in m");
+        "test.yaml:4:35: s.u: the number is in N, but s.u is in m; write it in m");
 }
 
 TEST_CASE("the condition that ends a run compares what has one unit") {

@@ -55,6 +55,21 @@ test("the picture has each change in its colour and with its sign, a legend, and
   assert.ok(svg.includes("stroke-dasharray"));
 });
 
+test("a new wire is drawn above the gone one in its place", async () => {
+  const sum = {...block("c"), outline: "circle"};
+  const version = (wires) => ({...graph(["a", "b"], []), nodes: [block("a"), block("b"), sum], wires: wires.map(([from, to]) => wire(from, to))});
+  const svg = await drawCompared({before: version([["a", "c"]]), after: version([["b", "c"]])}, elk);
+  const strokes = [looks.removed, looks.added].map(({color}) => svg.lastIndexOf(`stroke="${color}"`, svg.indexOf("<circle")));
+  assert.ok(strokes[0] >= 0 && strokes[0] < strokes[1]);
+});
+
+test("the sign of a changed triangle is at a corner of its base", async () => {
+  const gain = {...block("b"), outline: "triangle"}, version = {...chain, nodes: [chain.nodes[0], gain, chain.nodes[2]]};
+  const svg = await drawCompared({before: version, after: version, changed: ["b.gain"]}, elk);
+  const [, x, y] = svg.match(/<path d="M([\d.]+) ([\d.]+)V[\d.]+L[\d. ]+Z"/);
+  assert.ok(svg.includes(`<circle cx="${x}" cy="${y}" r="7.5"`));
+});
+
 test("a diagram that is new as a whole is drawn", async () => {
   const svg = await drawCompared({before: graph([], []), after: chain}, elk);
   assert.ok(!svg.includes(`stroke="${looks.removed.color}" stroke-width="1.6"`));

@@ -54,6 +54,24 @@ TEST_CASE("a mark that is put together by hand is drawn with its numbers, colour
                  Contains("set xrange [0:1]\nset xtics 0.5\n"));
 }
 
+TEST_CASE(
+    "panels above each other have a margin for the longest number, so that labels beside it are whole") {
+  const auto margin = [](double low, double high) {
+    plot::FigureSpec figure = figure_of({.x = {.range = {{0.0, 1.0}}}, .y = {.range = {{low, high}}}});
+    figure.aligned = true;
+    const std::string script = gnuplot_script(figure);
+    const std::size_t at = script.find("set lmargin ");
+    REQUIRE(at != std::string::npos);
+    return std::stoi(script.substr(at + 12));
+  };
+  CHECK(margin(0.0, 0.07) == 10);      // 0.01, 0.02, ..
+  CHECK(margin(-0.024, 0.013) == 11);  // -0.02, -0.015, ..
+  CHECK(margin(-20.0, 20.0) == 10);
+  CHECK(margin(1.6, -0.6) == 10);  // from top to bottom
+  CHECK(margin(0.0, 0.0) == 10);
+  CHECK(margin(123456.0, 123460.0) == 11);
+}
+
 TEST_CASE("a line in space is drawn over a surface") {
   if (!has_gnuplot()) return;
   const std::vector<double> ends{0.0, 1.0};

@@ -1,0 +1,170 @@
+#include "engine/app/session/rejudging.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include "engine/app/session/run_result.hpp"
+#include "engine/app/session/session.hpp"
+#include "engine/base/io/file.hpp"
+
+namespace stepwire::session {
+
+using json::Json;
+
+namespace {
+
+/// Returns a text of an object; empty if it has none.
+std::string text_in(const Json& object, const char* key) {
+  const Json* found = object.find(key);
+  return found && found->as_text() ? *found->as_text() : "";
+}
+
+bool flag_in(const Json& object, const char* key) {
+  const Json* found = object.find(key);
+  return found && found->as_flag().value_or(false);
+}
+
+std::string without_blanks(const std::string& line) {
+  const std::size_t first = line.find_first_not_of(' ');
+  return first == line.npos ? "" : line.substr(first, line.find_last_not_of(" ,") - first + 1);
+}
+
+/// Recorded folder whose claims and tables are computed again.
+class Folder {
+ public:
+  Folder(std::string folder, const Registry& registry, const Monitor& monitor)
+      : folder_(std::move(folder)), session_(registry, monitor) {}
+
+  Rejudged compare() {
+    if (!has("run.json") || !has("claims.json")) return {};
+    note_ = read("run.json");
+    if (read("claims.json").items().empty() && !has("study.json")) return {};
+    const Json* faults = note_.find("faults");
+    if (flag_in(note_, "interrupted") || (faults && !faults->items().empty())) return {};
+    if (!read_study() || !load()) return {{}, left_out_};
+    return model_.study ? compare_study() : compare_run();
+  }
+
+ private:
+  std::string path(const std::string& name) const { return (std::filesystem::path(folder_) / name).string(); }
+  bool has(const std::string& name) const {
+    std::error_code none;
+    return std::filesystem::exists(path(name), none);
+  }
+
+  Json read(const std::string& name) const try {
+    return Json::parse(io::read_file(path(name)));
+  } catch (const json::JsonError& error) {
+    throw yaml::Error(yaml::Fault{{path(name), {}}, "", yaml::Message(error.what()), {}});
+  }
+
+  /// Reads persons and seed of a study. Returns false for recorded trials and for several experiments.
+  bool read_study() {
+    if (!has("study.json")) return true;
+    const Json study = read("study.json");
+    const Json *points = study.find("points"),
+               &one = points && !points->items().empty() ? points->items()[0] : study;
+    const Json *seed = one.find("seed"), *trials = one.find("trials");
+    if (!seed || !trials) left_out_ = "the trials of the study are recorded ones";
+    if (one.find("experiments")) left_out_ = "the experiments of the study are not repeated";
+    if (!left_out_.empty()) return false;
+    std::set<std::string> subjects;
+    for (const Json& trial : trials->items())
+      if (const Json* subject = trial.find("subject")) subjects.insert(subject->text(-1));
+    study_.subjects = subjects.size();
+    study_.experiments = 1;
+    study_.seed = static_cast<std::uint64_t>(seed->as_number().value_or(0.0));
+    return true;
+  }
+
+  /// Loads the file of the run with the values that were set. Returns false if it is another diagram now.
+  bool load() {
+    const std::string file = text_in(note_, "file");
+    LoadOptions options;
+    options.study = study_;
+    if (const Json* parameters = note_.find("parameters"))
+      for (const Json& one : parameters->items())
+        if (flag_in(one, "set")) options.settings.push_back({text_in(one, "name"), text_in(one, "written")});
+    try {
+      model_ = session_.load(file, options);
+      if (model_.hash != text_in(note_, "hash")) {  // the call may have had --stop
+        const Json* stop = note_.find("stop");
+        options.stop = fmt::format("{} s", stop ? stop->as_number().value_or(0.0) : 0.0);
+        model_ = session_.load(file, options);
+      }
+    } catch (const yaml::Error&) {
+      left_out_ = fmt::format("{} with the values of the run cannot be read now", file);
+      return false;
+    }
+    if (model_.hash != text_in(note_, "hash")) left_out_ = file + " is another diagram than that of the run";
+    return left_out_.empty();
+  }
+
+  Rejudged compare_run() {
+    const bool is_sweep = !model_.job.points.empty();
+    return compare_claims(is_sweep ? session_.pass(model_) : session_.run(model_));
+  }
+
+  Rejudged compare_study() {
+    const Studies::Shared experiments = session_.study(model_);
+    const Outcome outcome = study_outcome(model_, *experiments);
+    if (outcome.result.interrupted) return {{}, {}, true};
+    for (const StudyFile& one : study_texts(model_, *experiments, outcome))
+      if (const auto line = first_difference(path(one.name), one.text))
+        return {fmt::format("{}:{}: is '{}', and '{}' when it is computed again", path(one.name),
+                            line->number, line->there, line->computed)};
+    return compare_claims(outcome);
+  }
+
+  Rejudged compare_claims(const Outcome& outcome) const {
+    if (outcome.result.interrupted) return {{}, {}, true};
+    const std::string computed = result::json_of(judged_claims(model_, outcome)).text() + "\n";
+    const auto line = first_difference(path("claims.json"), computed);
+    if (!line) return {};
+    return {fmt::format("{}:{}: the claim '{}' has {}, and {} when it is judged again", path("claims.json"),
+                        line->number, claim_of(computed, line->number), without_blanks(line->there),
+                        without_blanks(line->computed))};
+  }
+
+  /// Returns the statement of the claim that has a line.
+  static std::string claim_of(const std::string& claims, std::size_t number) {
+    std::istringstream lines(claims);
+    std::string line, statement;
+    const std::string key = "    \"that\": \"";
+    for (std::size_t i = 1; std::getline(lines, line) && (i <= number || statement.empty()); ++i)
+      if (line.starts_with(key)) statement = line.substr(key.size(), line.rfind('"') - key.size());
+    return statement;
+  }
+
+  std::string folder_;
+  Session session_;
+  Json note_;
+  study::StudyWords study_;
+  LoadedModel model_;
+  std::string left_out_;
+};
+
+}  // namespace
+
+std::optional<DifferentLine> first_difference(const std::string& path, const std::string& computed) {
+  std::istringstream there(io::read_file(path)), here(computed);
+  DifferentLine line{1, {}, {}};
+  for (;; ++line.number) {
+    line.there.clear();
+    line.computed.clear();
+    const bool more = static_cast<bool>(std::getline(there, line.there));
+    const bool wants = static_cast<bool>(std::getline(here, line.computed));
+    if (!more && !wants) return std::nullopt;
+    if (more != wants || line.there != line.computed) return line;
+  }
+}
+
+Rejudged rejudge(const std::string& folder, const Registry& registry, const Monitor& monitor) {
+  return Folder(folder, registry, monitor).compare();
+}
+
+}  // namespace stepwire::session
