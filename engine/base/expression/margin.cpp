@@ -75,17 +75,26 @@ void add_best(Points& points, std::string_view name, const Parts& of) {
   }
 }
 
-/// Returns the point at which a function jumps: for floor at whole numbers, where sin(pi x) is 0.
+/// Returns the margin of a value that jumps by 1: the distance to the nearer jump, with a sign that follows
+/// from the value itself. So the value has jumped wherever the sign has changed.
+std::string margin_of_steps(const std::string& whole, const std::string& distance) {
+  return fmt::format("((mod({}, 2) < 1 ? 1 : -1)*{})", whole, distance);
+}
+
+/// Returns the point at which a function jumps.
 std::optional<Point> jump_of(std::string_view name, const std::string& text, const Parts& of) {
-  constexpr const char* pi = "(3.1415926535897931)";
   const std::string& value = of[0].value;
+  const auto between = [&](const std::string& share) { return fmt::format("min({0}, 1 - {0})", share); };
   if (name == "sign") return Point{value, text};
-  if (name == "floor" || name == "ceil") return Point{fmt::format("sin({}*{})", pi, value), text};
-  if (name == "round") return Point{fmt::format("cos({}*{})", pi, value), text};
+  if (name == "floor")
+    return Point{margin_of_steps(text, between(fmt::format("({} - {})", value, text))), text};
+  if (name == "ceil")
+    return Point{margin_of_steps(text, between(fmt::format("({} - {})", text, value))), text};
+  if (name == "round")
+    return Point{margin_of_steps(text, fmt::format("(0.5 - abs({} - {}))", value, text)), text};
   if (name != "mod") return std::nullopt;
-  const std::string& divisor = of[1].value;
-  return Point{fmt::format("sin({}*({} / {}))", pi, value, divisor),
-               fmt::format("round(({} - {})/{})", value, text, divisor)};
+  const std::string quotient = fmt::format("round(({} - {})/{})", value, text, of[1].value);
+  return Point{margin_of_steps(quotient, between(fmt::format("({}/{})", text, of[1].value))), quotient};
 }
 
 /// Builds the margin of an expression bottom-up. The margin of a truth value is positive where it is true and

@@ -91,6 +91,25 @@ constexpr const char* jumping[] = {"x*sign(x)",
 
 }  // namespace
 
+TEST_CASE("where the margin of a step has changed its sign, the value has changed, to the last bit") {
+  for (const char* text : {"floor(x)", "ceil(x)", "round(x)", "mod(x, 0.5)", "mod(x, -1.5)"}) {
+    const Expression formula(text);
+    const Expression margin = branches_of(formula).margins.front();
+    const auto sign = [&](double x) { return margin(std::vector{x}); };
+    for (double jump = -3.0; jump <= 3.0; jump += 0.5)
+      for (const double side : {-1.0, 1.0}) {
+        INFO(text << " at " << jump << " from " << side);
+        const double before = jump - 0.2 * side;
+        for (double x : {std::nextafter(jump, 9.0 * -side), jump, std::nextafter(jump, 9.0 * side)}) {
+          const double change = formula(std::vector{x}) - formula(std::vector{before});
+          if (sign(x) * sign(before) < 0.0) CHECK(std::abs(change) > 0.25);
+        }
+        if (const double far = jump + 0.2 * side; sign(far) * sign(before) > 0.0)
+          CHECK(std::abs(formula(std::vector{far}) - formula(std::vector{before})) < 0.45);
+      }
+  }
+}
+
 TEST_CASE("a held formula has the bits of the formula with the modes of the same place") {
   for (const char* text : jumping) {
     const Expression formula(text);
