@@ -337,8 +337,9 @@ struct TransportDelay {
   Index order_of_instant() const {
     constexpr double most_echoes = 5.0;
     const double T = length();
-    for (Index row = last_reached(T); row >= 0 && times[place(row)] + T > t - 1e-6 * period; --row)
-      if (edges[place(row)] > 0.0 && !has_jumped())
+    const Index next = std::min(last_reached(T) + 1, known() - 1);  // arrives back if the delay grows
+    for (Index row = next; row >= 0 && times[place(row)] + T > t - 1e-6 * period; --row)
+      if (edges[place(row)] > 0.0 && times[place(row)] + T < t + 1e-6 * period && !has_jumped())
         return edges[place(row)] < most_echoes ? static_cast<Index>(edges[place(row)]) + 1 : 0;
     return 1;
   }

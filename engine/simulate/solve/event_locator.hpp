@@ -139,7 +139,7 @@ class EventLocator {
     const bool failed = run_.failed();
     const double length = at - from;
     begin_looks();
-    for (std::int64_t look = 1; look <= task_.looks; ++look) {
+    for (std::int64_t look = 1; look <= last_look(); ++look) {
       const double part = part_of(look) * length;
       interpolate(from, length, part_of(look));
       add_look(look);
@@ -154,8 +154,13 @@ class EventLocator {
     return false;
   }
 
+  /// The first and the last look are next to the ends, where they show numbers that turn before the next one.
+  std::int64_t last_look() const { return task_.looks > 0 ? task_.looks + 2 : 0; }
   double part_of(std::int64_t look) const {
-    return static_cast<double>(look) / static_cast<double>(task_.looks + 1);
+    constexpr double next_to = 1e-3;
+    if (look == 1) return next_to;
+    if (look == last_look()) return 1.0 - next_to;
+    return static_cast<double>(look - 1) / static_cast<double>(task_.looks + 1);
   }
 
   /// Computes the crossing functions at a part of the interval, with each state on a parabola.
@@ -227,7 +232,7 @@ class EventLocator {
     if (crosses) return middle.at;
     Sample low = look > 1 ? sample(part_of(look - 1) * length) : Sample{0.0, side * start_[i]};
     if (crosses) return low.at;
-    Sample high = sample(look < task_.looks ? part_of(look + 1) * length : length);
+    Sample high = sample(look < last_look() ? part_of(look + 1) * length : length);
     if (crosses) return high.at;
     for (int k = 0; k < most; ++k) {
       const Sample vertex = lowest_of(low, middle, high);
@@ -247,7 +252,7 @@ class EventLocator {
     const double before = middle.at - low.at, after = high.at - middle.at;
     const double down = (middle.value - low.value) / before, up = (high.value - middle.value) / after;
     const double bend = (up - down) / (before + after), tilt = down + bend * before;
-    if (!(down < 0.0 && up > 0.0)) return {middle.at, std::numeric_limits<double>::infinity()};
+    if (!(down <= 0.0 && up >= 0.0 && up > down)) return {middle.at, std::numeric_limits<double>::infinity()};
     const double by = -0.5 * tilt / bend;
     return {middle.at + by, middle.value + 0.5 * tilt * by};
   }
