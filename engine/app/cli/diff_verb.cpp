@@ -49,7 +49,10 @@ yaml::Error wrong_call(const std::string& text) {
 template <class Rename>
 yaml::Error renamed(const yaml::Error& error, const Rename& rename) {
   std::vector<yaml::Fault> faults = error.faults();
-  for (yaml::Fault& fault : faults) rename(fault.place.file);
+  for (yaml::Fault& fault : faults) {
+    rename(fault.place.file);
+    for (yaml::Place& user : fault.used_by) rename(user.file);
+  }
   return yaml::Error(std::move(faults));
 }
 
@@ -180,7 +183,8 @@ std::string text_of_side(const std::string& file) {
   return file == "/dev/null" ? "" : text_of_file(file);
 }
 
-/// Compares the two temporary files of git. Parts beside the path are those of the working tree.
+/// Compares the two temporary files of git. Parts beside the path are those of the working tree, so they are
+/// the same on both sides.
 ExitCode diff_of_git(const DiffCall& call, const Registry& registry) {
   const std::string& path = call.files[0];
   const std::string after_path = call.files.size() == git_arguments_of_rename ? call.files[7] : path;
@@ -194,7 +198,7 @@ ExitCode diff_of_git(const DiffCall& call, const Registry& registry) {
     before.give(path, old_text);
     after.give(after_path, new_text);
     Comparer comparer(registry, before, after);
-    comparer.compare(path, after_path);
+    comparer.compare(path, after_path, false);
     put_failure(difference::text_of(comparer.result()));
   } catch (const yaml::Error& error) {
     complain("{}\n", error.what());

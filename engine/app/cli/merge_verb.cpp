@@ -50,6 +50,8 @@ ExitCode merge(const MergeCall& call, const Registry& registry) {
     io::write_file(out, text);
     return is_clean ? ExitCode::done : ExitCode::fails;
   }
+  for (const auto& [file, text] : {std::pair{&call.base, &base}, {&path, &ours}, {&call.theirs, &theirs}})
+    yaml::parse_document(*text, *file);  // so that a fault names its file
   try {
     const difference::Merged merged = difference::merge(registry, path, base, ours, theirs);
     io::write_file(out, merged.text);

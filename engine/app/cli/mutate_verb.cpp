@@ -32,6 +32,8 @@ std::string mutations_text(const session::MutationResult& result) {
     if (one.outcome == session::MutationOutcome::survives)
       text += fmt::format("  FAIL {}: {} in place of {} breaks no claim\n", text::visible(one.what),
                           text::visible(one.version), text::visible(one.old));
+  for (const std::string& one : result.left_out)
+    text += fmt::format("  not mutated: parameter {}\n", text::visible(one));
   return text;
 }
 

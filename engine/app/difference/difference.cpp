@@ -75,7 +75,7 @@ class Comparer::OfFiles {
     if (to) change.to = to->written, change.after = to->mark;
     if (from && to) change.ratio = ratio_of(*from, *to);
     if (from && to && change.from == change.to) name_other_meaning(change, *from, *to);
-    if (section == "values" && !is_other_type_) name_default(change, from ? *from : *to);
+    if (section == "values") name_default(change, from ? *from : *to);
     changes_.push_back(std::move(change));
   }
 
@@ -232,12 +232,30 @@ class Comparer::OfFiles {
     note_part(before, after);
     is_other_type_ = type_of(before) != type_of(after);
     if (is_part(before) != is_part(after)) other_kind(before, after);
+    if (is_other_type_)
+      return keys_of_block(name, with_defaults(before, after, comparer_.after_),
+                           with_defaults(after, before, comparer_.before_));
+    keys_of_block(name, before, after);
+  }
+
+  void keys_of_block(const std::string& name, const Fact& before, const Fact& after) {
     for (const Fact& key : after.parts) {
       const Fact* old_key = before.find(unmarked(key.key));
       key_of_block(name, key.key, old_key, &key);
     }
     for (const Fact& key : before.parts)
       if (!after.find(unmarked(key.key))) key_of_block(name, key.key, &key, nullptr);
+  }
+
+  /// Returns a block with the values that are defaults of its type, since those of another type differ. Each
+  /// value has the default of the other type.
+  static Fact with_defaults(Fact block, const Fact& other, const FactReader& reader) {
+    block.parts.insert(block.parts.end(), block.defaults.begin(), block.defaults.end());
+    for (Fact& part : block.parts) part.otherwise = reader.default_of(other, unmarked(part.key));
+    std::erase_if(block.parts, [&](const Fact& part) {
+      return part.written == part.otherwise && !other.find(unmarked(part.key));
+    });
+    return block;
   }
 
   static bool is_part(const Fact& block) { return !block.find("block"); }
@@ -388,12 +406,35 @@ class Comparer::OfFiles {
 void Comparer::compare(const std::string& before, const std::string& after, bool parts) {
   if (!done_.emplace(before, after).second) return;
   const FileFacts old_facts = before_.read(before), new_facts = after_.read(after);
+  if (parts) check_parts(old_facts, before_texts_), check_parts(new_facts, after_texts_);
   OfFiles files(*this, old_facts, new_facts);
   std::vector<Change> changes = files.changes();
   if (!changes.empty())
     result_.files.push_back({before, after, std::move(changes), fetched_name(before), fetched_name(after)});
   if (parts)
     for (const auto& [from, to] : std::vector(files.parts())) compare(from, to, true);
+}
+
+void Comparer::check_parts(const FileFacts& user, Texts& texts) {
+  const Fact* blocks = user.root.find("blocks");
+  for (std::size_t i = 0; blocks && i < blocks->parts.size(); ++i) {
+    const Fact& block = blocks->parts[i];
+    const Fact* path = block.find("block") ? nullptr : block.find("diagram");
+    const std::string part = path ? texts.part_path(user.file, path->canonical) : "";
+    if (part.empty()) continue;  // no part, or one that is not fetched
+    try {
+      texts.read(part);
+    } catch (const yaml::Error& error) {
+      faults_.push_back(error.faults().front());
+      faults_.back().used_by.push_back({user.file, block.mark});
+      if (faults_.back().place.mark.line == 0) faults_.back().message.cure.clear();  // it names a like file
+    }
+  }
+}
+
+const Difference& Comparer::result() const {
+  if (!faults_.empty()) throw yaml::Error(faults_);
+  return result_;
 }
 
 std::string Comparer::fetched_name(const std::string& file) const {

@@ -47,22 +47,25 @@ class Comparer {
       : before_texts_(before), after_texts_(after), before_(registry, before), after_(registry, after) {}
 
   /// Adds the differences of two files. With `parts` the parts that both use are compared, too, at every
-  /// depth. A pair of files is compared once.
+  /// depth. A pair of files is compared once. A part that cannot be read is a fault of result().
   void compare(const std::string& before, const std::string& after, bool parts = true);
-  /// Returns all differences.
-  const Difference& result() const { return result_; }
+  /// Returns all differences. Throws yaml::Error for parts that cannot be read.
+  const Difference& result() const;
 
  private:
   class OfFiles;
 
   Texts &before_texts_, &after_texts_;
   FactReader before_, after_;
+  /// Adds a fault for each part that a file uses and that cannot be read.
+  void check_parts(const FileFacts& user, Texts& texts);
   /// Returns the name of a fetched file with its short commit; empty for others.
   std::string fetched_name(const std::string& file) const;
 
   std::set<std::pair<std::string, std::string>> done_;
   std::map<std::string, std::string> uses_;  ///< names of fetched folders
   Difference result_;
+  std::vector<yaml::Fault> faults_;
 };
 
 /// Returns the word of a kind: "added".

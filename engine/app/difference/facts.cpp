@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "engine/app/difference/notation.hpp"
 #include "engine/app/reference/sections.hpp"
@@ -134,8 +135,7 @@ class FactReader::Reading {
     made.mark = entry.mark;
     made.key = key_of(forms_.maps(forms, map), below, entry.key);
     if (below.size() == 1) made.otherwise = below.front()->otherwise;
-    if (is_default(made, below)) return;
-    fact.parts.push_back(std::move(made));
+    (is_default(made, below) ? fact.defaults : fact.parts).push_back(std::move(made));
   }
 
   /// Returns a key with a mark if it is a name of the file.
@@ -160,14 +160,15 @@ class FactReader::Reading {
     return read(node, forms).canonical == fact.canonical;
   }
 
-  /// Removes facts that state what the declaration of the block, or the file of the part, states already.
+  /// Sets facts apart that state what the declaration of the block, or the file of the part, states already.
   void drop_defaults(Fact& fact, const yaml::Node& node, const BlockType* known) {
     const yaml::Node* path = node.find("block") ? nullptr : node.find("diagram");
     const auto document = path ? part(path->text) : nullptr;
-    std::erase_if(fact.parts, [&](const Fact& one) {
-      if (known) return is_default_of(one, *known);
-      return document && is_default_of(one, *document);
+    const auto defaults = std::ranges::stable_partition(fact.parts, [&](const Fact& one) {
+      return known ? !is_default_of(one, *known) : !document || !is_default_of(one, *document);
     });
+    std::ranges::move(defaults, std::back_inserter(fact.defaults));
+    fact.parts.erase(defaults.begin(), defaults.end());
   }
 
   bool is_default_of(const Fact& fact, const BlockType& type) {
@@ -285,6 +286,12 @@ FileFacts FactReader::read(const std::string& file) {
   return facts;
 }
 
+std::string FactReader::default_of(const Fact& block, const std::string& parameter) const {
+  const BlockType* type = registry_.find(type_of(block));
+  const ParameterSpec* spec = type ? type->parameter(parameter) : nullptr;
+  return spec && !spec->required ? reference::default_text(*type, *spec) : "";
+}
+
 const Fact* Fact::find(std::string_view name) const {
   const auto found =
       std::ranges::find_if(parts, [&](const Fact& part) { return unmarked(part.key) == name; });
@@ -303,6 +310,7 @@ void join_parts(Fact& fact) {
 void rename(Fact& fact, const NewNames& names) {
   fact.key = renamed(fact.key, names);
   for (Fact& part : fact.parts) rename(part, names);
+  for (Fact& part : fact.defaults) rename(part, names);
   if (fact.kind == Fact::Kind::value)
     fact.canonical = renamed(fact.canonical, names);
   else

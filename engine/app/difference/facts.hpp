@@ -28,6 +28,7 @@ struct Fact {
   std::optional<double> number{};  ///< Of a plain number, in SI.
   yaml::Mark mark{};               ///< Of the key, or of an item.
   std::vector<Fact> parts{};
+  std::vector<Fact> defaults{};        ///< Parts that are written and state what holds without them.
   const yaml::Node* node = nullptr;    ///< Value in the file; nullptr for a default.
   const yaml::Entry* entry = nullptr;  ///< Its key; nullptr for an item.
 
@@ -50,6 +51,8 @@ class FactReader {
 
   /// Throws yaml::Error for an unreadable file.
   FileFacts read(const std::string& file);
+  /// Returns the default of a parameter of a block; empty if its type has no such parameter.
+  std::string default_of(const Fact& block, const std::string& parameter) const;
 
  private:
   class Reading;

@@ -99,6 +99,7 @@ class FactMerge {
                       theirs = canonical_of(of.theirs);
     if (theirs == base || theirs == ours) return of.ours ? std::optional(*of.ours) : std::nullopt;
     if (ours != base && (has_two_types(of) || splits_a_list(of))) return conflict(of, name);
+    if (has_two_types(of)) return taken(of, owner);
     if (of.all_are(Fact::Kind::map) && edits_.is_map(*of.ours)) return map(of, name);
     if (of.all_are(Fact::Kind::set)) return set(of, name);
     const bool is_same_length = of.ours && of.theirs && of.base &&

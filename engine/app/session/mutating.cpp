@@ -117,6 +117,7 @@ MutationResult mutate(const Registry& registry, const std::string& file, const L
   Mutator mutator(registry, file, options, monitor);
   const std::vector<Mutation> mutations = mutations_of(mutator.model());
   MutationResult result{file, mutator.model().claims.size()};
+  result.left_out = left_out_of(mutator.model());
   result.mutations.resize(mutations.size());
   std::vector<char> done(mutations.size(), 0);
   std::atomic<std::size_t> count = 0;
@@ -157,6 +158,7 @@ void declare(result::Record<MutationResult>& is) {
   is.field("refused", &MutationResult::refused, "number of those that the file refuses");
   is.field("interrupted", &MutationResult::interrupted, "true if not all were tried");
   is.field("mutations", &MutationResult::mutations, "all mutations");
+  is.field("left_out", &MutationResult::left_out, "own parameters without mutations, each with the reason");
 }
 
 }  // namespace stepwire::session

@@ -29,6 +29,7 @@ struct MutationResult {
   std::string file{};
   std::size_t claims = 0;
   std::vector<TriedMutation> mutations{};
+  std::vector<std::string> left_out{};  ///< own parameters without mutations, each with the reason
   bool interrupted = false;
 
   std::size_t count(MutationOutcome outcome) const;

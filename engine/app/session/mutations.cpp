@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 
 #include "engine/model/diagram/output_names.hpp"
@@ -51,20 +52,88 @@ std::set<std::string> swept_in(const diagram::Diagram& diagram) {
   return names;
 }
 
-void add_parameters(const LoadedModel& model, std::vector<Mutation>& all) {
-  const std::set<std::string> swept = swept_in(model.job.plan.diagram);
-  for (const diagram::DiagramParameter& parameter : model.job.plan.diagram.parameters) {
-    const double* number = std::get_if<double>(&parameter.value.content);
-    const bool own = parameter.name.find('.') == std::string::npos && !swept.contains(parameter.name);
-    if (!number || *number == 0.0 || !own) continue;
-    const std::string text = parameter.text.starts_with("=") ? parameter.text.substr(1) : parameter.text;
-    for (const char* form : {"2*({})", "0.5*({})", "-({})"}) {
-      const std::string value = fmt::format(fmt::runtime(form), text);
-      Mutation mutation{Mutation::Kind::parameter, "parameter " + parameter.name, parameter.text};
-      mutation.versions.push_back({value, diagram::Setting{parameter.name, "= " + value}});
-      all.push_back(std::move(mutation));
-    }
+constexpr double factors[] = {2.0, 0.5, -1.0};
+
+/// Returns the number of "20 degC" or "3 mm" times a factor, in the same unit.
+std::string times(double factor, const std::string& text) {
+  char* unit = nullptr;
+  const double number = std::strtod(text.c_str(), &unit);
+  return fmt::format("{}{}", factor * number, unit);
+}
+
+bool is_zero(const std::string& text) {
+  return std::strtod(text.c_str(), nullptr) == 0.0;
+}
+
+void add_setting(const std::string& name, const std::string& old, const std::string& version,
+                 diagram::Setting setting, std::vector<Mutation>& all) {
+  Mutation mutation{Mutation::Kind::parameter, "parameter " + name, old};
+  mutation.versions.push_back({version, std::move(setting)});
+  all.push_back(std::move(mutation));
+}
+
+/// Adds the wrong versions of a number. One in degC changes on its own scale, since a formula refuses a
+/// multiple of it.
+void add_number(const std::string& name, const std::string& text, std::vector<Mutation>& all) {
+  const std::string own = text.starts_with("=") ? text.substr(1) : text;
+  const bool is_celsius = own == text && text.ends_with("degC");
+  if (is_celsius && is_zero(text)) return;
+  for (const double factor : factors) {
+    const std::string formula = fmt::format("{}({})", factor == -1.0 ? "-" : fmt::format("{}*", factor), own);
+    const std::string value = is_celsius ? times(factor, text) : formula;
+    add_setting(name, text, value, {name, is_celsius ? value : "= " + formula}, all);
   }
+}
+
+/// Returns the numbers of a list such as "[1 m, 2 m]"; an empty list for others.
+std::vector<std::string> elements_of(const std::string& text) try {
+  std::vector<std::string> elements;
+  const yaml::Node list = diagram::value_of_text(text, "");
+  for (const yaml::Node& item : list.items) {
+    if (!item.is_scalar() || !unit::parse_quantity(item.text)) return {};
+    elements.push_back(item.text);
+  }
+  return elements;
+} catch (const yaml::Error&) {
+  return {};
+}
+
+/// Adds the wrong versions of each element of a list but of zeros.
+void add_elements(const std::string& name, const std::vector<std::string>& elements,
+                  std::vector<Mutation>& all) {
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    for (const double factor : factors) {
+      if (is_zero(elements[i])) continue;
+      std::vector<std::string> wrong = elements;
+      wrong[i] = times(factor, elements[i]);
+      add_setting(fmt::format("{}.{}", name, i + 1), elements[i], wrong[i],
+                  {name, fmt::format("[{}]", fmt::join(wrong, ", "))}, all);
+    }
+}
+
+/// Adds the mutations of a parameter. Returns why there are none; empty if there are.
+std::string add_parameter(const diagram::DiagramParameter& parameter, const std::set<std::string>& swept,
+                          std::vector<Mutation>& all) {
+  if (swept.contains(parameter.name)) return "it is swept";
+  const std::size_t before = all.size();
+  const std::vector<std::string> elements = elements_of(parameter.text);
+  const double* number = std::get_if<double>(&parameter.value.content);
+  if (!number && elements.empty()) return "its value is no number and no list of plain numbers";
+  if (number && *number != 0.0) add_number(parameter.name, parameter.text, all);
+  add_elements(parameter.name, elements, all);
+  return all.size() == before ? "it is 0" : "";
+}
+
+/// Adds the mutations of all own parameters. Returns those without any, with the reason.
+std::vector<std::string> add_parameters(const LoadedModel& model, std::vector<Mutation>& all) {
+  const std::set<std::string> swept = swept_in(model.job.plan.diagram);
+  std::vector<std::string> left_out;
+  for (const diagram::DiagramParameter& parameter : model.job.plan.diagram.parameters) {
+    if (parameter.name.find('.') != std::string::npos) continue;  // of a part
+    const std::string reason = add_parameter(parameter, swept, all);
+    if (!reason.empty()) left_out.push_back(parameter.name + ": " + reason);
+  }
+  return left_out;
 }
 
 /// Path of a value in a tree of YAML: indices of entries and items.
@@ -102,8 +171,14 @@ std::shared_ptr<const yaml::Document> with_text(const yaml::Document& document, 
   return changed;
 }
 
-bool is_wire_key(const std::string& name) {
-  return !name.ends_with(".block") && !name.ends_with(".diagram");
+/// True for a name such as "lag.u.1" that is no parameter of the block's type, as `variables` is one.
+bool is_wire_key(const LoadedModel& model, const std::string& name) {
+  if (name.ends_with(".block") || name.ends_with(".diagram")) return false;
+  const std::size_t dot = name.find('.');
+  const auto& blocks = model.job.plan.diagram.blocks;
+  const auto block = std::ranges::find(blocks, name.substr(0, dot), &diagram::DiagramBlock::name);
+  if (block == blocks.end() || dot == std::string::npos) return true;
+  return !block->type().parameter(name.substr(dot + 1, name.find('.', dot + 1) - dot - 1));
 }
 
 void add_wires(const LoadedModel& model, std::vector<Mutation>& all) {
@@ -115,7 +190,7 @@ void add_wires(const LoadedModel& model, std::vector<Mutation>& all) {
   const auto begin = static_cast<std::size_t>(at - document.root.entries.begin());
   for_each_scalar(*blocks, {begin}, "",
                   [&](const yaml::Node& node, const NodePath& path, const std::string& name) {
-                    if (node.quoted || !is_wire_key(name)) return;
+                    if (node.quoted || !is_wire_key(model, name)) return;
                     Mutation mutation{Mutation::Kind::wire, "wire " + name, node.text};
                     for (const std::string& other : others_like(node.text, signals)) {
                       mutation.versions.push_back({other});
@@ -208,6 +283,11 @@ std::vector<Mutation> mutations_of(const LoadedModel& model) {
   add_wires(model, all);
   add_drawn(model, all);
   return all;
+}
+
+std::vector<std::string> left_out_of(const LoadedModel& model) {
+  std::vector<Mutation> none;
+  return add_parameters(model, none);
 }
 
 }  // namespace stepwire::session

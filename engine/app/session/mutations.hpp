@@ -30,8 +30,11 @@ struct Mutation {
 /// Returns "parameter", "wire" or "drawn".
 const char* kind_name(Mutation::Kind kind);
 
-/// Returns the wrong versions of a file: each own numeric parameter doubled, halved and negated; each wire
-/// and each drawn signal from another signal of the same unit. Swept parameters and those of parts are left.
+/// Returns the wrong versions of a file: each own number of a parameter doubled, halved and negated; each
+/// wire and each drawn signal from another signal of the same unit.
 std::vector<Mutation> mutations_of(const LoadedModel& model);
+
+/// Returns the own parameters that have no mutations, each with the reason: "mode: it is no number".
+std::vector<std::string> left_out_of(const LoadedModel& model);
 
 }  // namespace stepwire::session

@@ -10,6 +10,7 @@
 #include "engine/app/session/run_result.hpp"
 #include "engine/app/session/session.hpp"
 #include "engine/base/io/file.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire::session {
 
@@ -40,12 +41,14 @@ class Folder {
       : folder_(std::move(folder)), session_(registry, monitor) {}
 
   Rejudged compare() {
-    if (!has("run.json") || !has("claims.json")) return {};
+    if (!has("run.json")) return {};
+    if (!has("claims.json")) return {path("claims.json") + ": is missing; every run writes it"};
     note_ = read("run.json");
-    if (read("claims.json").items().empty() && !has("study.json")) return {};
+    const bool is_empty = read("claims.json").items().empty() && !has("study.json");
     const Json* faults = note_.find("faults");
     if (flag_in(note_, "interrupted") || (faults && !faults->items().empty())) return {};
-    if (!read_study() || !load()) return {{}, left_out_};
+    if (!read_study() || !load()) return {{}, is_empty ? "" : left_out_};
+    if (is_empty) return compare_number();
     return model_.study ? compare_study() : compare_run();
   }
 
@@ -118,6 +121,13 @@ class Folder {
         return {fmt::format("{}:{}: is '{}', and '{}' when it is computed again", path(one.name),
                             line->number, line->there, line->computed)};
     return compare_claims(outcome);
+  }
+
+  /// Compares the number of claims where the file has none, without a run.
+  Rejudged compare_number() const {
+    if (model_.claims.empty()) return {};
+    return {fmt::format("{}: has no claim, and {} has {}", path("claims.json"), model_.file,
+                        text::counted(model_.claims.size(), "claim"))};
   }
 
   Rejudged compare_claims(const Outcome& outcome) const {

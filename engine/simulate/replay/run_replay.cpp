@@ -60,6 +60,21 @@ std::int64_t ticks_to_replay(const plan::Plan& plan, const std::vector<RecordedR
   return std::min(ticks, plan.steps);
 }
 
+/// Counts the rows that the replay has and the table has not. Returns the last tick at which the recorded run
+/// may have ended before the first of them.
+std::int64_t note_missing(const RecordedRows& rows, const plan::Plan& plan,
+                          const diagram::RecordRequest& request, const table::Table& computed,
+                          Verification& verification) {
+  verification.missing_rows +=
+      (request.instants ? computed.rows() : record::max_rows(plan, request)) - rows.count;
+  const double time = computed.columns.front().values[rows.count];
+  if (verification.first_missing.empty())
+    verification.first_missing = fmt::format("{}: the row at {} s is missing",
+                                             place_of_row(*rows.recorded, rows.first + rows.count), time);
+  const auto tick = static_cast<std::int64_t>(std::ceil(time / plan.time_of(1) - 1e-6));
+  return std::min(tick, plan.steps - 1);
+}
+
 /// Ends a run after a tick.
 class UntilTick : public run::RunObserver {
  public:
@@ -273,17 +288,18 @@ std::vector<std::size_t> replay_run(run::Executor& simulation, const std::vector
   if (verification.interrupted) return {};
   std::vector<std::size_t> used;
   Earliest earliest;
+  std::int64_t ticks = end.ticks;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const table::Table& computed = recordings[i].table;
     // A run that ended before its first row has no rows: these are of the next one.
     used.push_back(computed.rows() == 0 ? 0 : rows[i].count);
     verification.rows += used.back();
-    const diagram::RecordRequest& request = plan.diagram.records[i];
+    const RecordedRows own_rows{rows[i].recorded, rows[i].first, used.back()};
     if (computed.rows() > used.back())
-      verification.missing_rows +=
-          (request.instants ? computed.rows() : record::max_rows(plan, request)) - used.back();
-    compare({rows[i].recorded, rows[i].first, used.back()}, computed, earliest);
+      ticks = std::min(ticks, note_missing(own_rows, plan, plan.diagram.records[i], computed, verification));
+    compare(own_rows, computed, earliest);
   }
+  verification.ticks += ticks;
   verification.difference = earliest.text();
   return used;
 }

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include "engine/base/text/count.hpp"
@@ -28,7 +29,9 @@ struct RunNote {
   std::size_t runs = 1;
   std::string keep{};                   ///< value of the sweep's `keep`
   std::vector<std::size_t> recorded{};  ///< indices of runs whose rows are kept beside numbers of all runs
-  yaml::Node document{};                ///< the whole file
+  bool interrupted = false;
+  std::optional<double> ticks{};  ///< of all runs
+  yaml::Node document{};          ///< the whole file
 };
 
 /// Returns the index of a run that a file numbers from 1.
@@ -54,6 +57,10 @@ RunNote read_run_note(const std::string& file) {
   if (const yaml::Node* keep = note.document.find("keep")) note.keep = keep->text;
   if (const yaml::Node* recorded = note.document.find("recorded_runs"))
     for (const yaml::Node& run : recorded->items) note.recorded.push_back(run_number(run, note.runs, file));
+  if (const yaml::Node* interrupted = note.document.find("interrupted"))
+    note.interrupted = interrupted->text == "true";
+  if (const yaml::Node* ticks = note.document.find("ticks"))
+    if (const auto number = unit::parse_quantity(ticks->text)) note.ticks = number->value;
   return note;
 }
 
@@ -178,7 +185,7 @@ class Verifier {
     if (is_loop()) {
       verify_loop();
     } else if (const RunNote note = read_note(); note.swept.empty()) {
-      verify_run();
+      verify_run(note);
     } else if (note.keep == "final") {
       verify_last_rows(note);
     } else if (note.keep == "numbers") {
@@ -266,13 +273,21 @@ class Verifier {
     replay_loop(plan, tables, path("inputs.csv"), options_, result_);
   }
 
-  void verify_run() {
+  void verify_run(const RunNote& note) {
     const plan::Plan plan = plan_of(flattened_name);
     const std::vector<Recorded> tables = read_tables(plan, 1);
     std::vector<RecordedRows> rows;
     for (const Recorded& table : tables) rows.push_back({&table, 0, table.table.rows()});
     run::Executor simulation(plan);
     replay_run(simulation, rows, options_, result_);
+    require_early_end(note, note.ticks);
+  }
+
+  /// Makes the first missing row a difference, unless the runs were interrupted or ended before it.
+  void require_early_end(const RunNote& note, const std::optional<double>& ticks) {
+    if (!goes_on() || result_.first_missing.empty() || note.interrupted) return;
+    if (ticks && *ticks <= static_cast<double>(result_.ticks)) return;
+    result_.difference = result_.first_missing + ", and run.json does not say that the run ended before it";
   }
 
   bool goes_on() const { return result_.difference.empty() && !result_.interrupted; }
@@ -283,6 +298,7 @@ class Verifier {
     std::vector<std::size_t> all(note.runs);
     std::iota(all.begin(), all.end(), std::size_t{0});
     verify_rows(note, all, 0, runs);
+    require_early_end(note, note.ticks);
   }
 
   /// Compares the rows of these runs; `first_file` is the number of their first file.
@@ -349,6 +365,7 @@ class Verifier {
       replay_numbers(simulation, *numbers, table, run, options_, result_);
     }
     verify_rows(note, note.recorded, 1, runs);
+    require_early_end(note, {});
   }
 
   std::string folder_;

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -19,6 +20,8 @@ struct Verification {
   std::size_t rows = 0;          ///< Rows of all tables and runs.
   std::size_t runs = 1;          ///< Runs of a sweep.
   std::size_t missing_rows = 0;  ///< Rows of complete runs that are missing in the folder.
+  std::int64_t ticks = 0;        ///< Ticks after which the runs may have ended, by their rows.
+  std::string first_missing;     ///< Place and time of the first missing row; empty without one.
   bool loop = false;             ///< True for a real-time loop, whose missing rows are lost ones.
   bool interrupted = false;      ///< True if the replay was interrupted.
   std::string difference;        ///< First difference in time, with its place; empty without one.

@@ -178,3 +178,40 @@ TEST_CASE("mutate refuses a file whose claims fail as it is, and one without cla
   CHECK(failing.code == 2);
   CHECK_THAT(failing.err, Contains("it is above"));
 }
+
+TEST_CASE("mutate changes each element of a list, a temperature by kelvins, and says what it leaves out") {
+  const Scratch folder;
+  folder.file("lists.yaml",
+              "stepwire: 1\nstep: 10 ms\nstop: 0.1 s\n"
+              "parameters: {gains: [1 mm, 0 mm], temp: 20 degC, none: 0}\nblocks:\n"
+              "  g: {block: Constant, value: $gains}\n  t: {block: Constant, value: $temp}\n"
+              "  n: {block: Constant, value: $none}\nrecord: [g, t, n]\n"
+              "claims:\n  - {that: a temperature, final: t, equals: 20 degC}\n");
+  const Done done = run_program(folder, {"mutate", "lists.yaml", "--json"});
+  INFO(done.out << done.err);
+  const auto result = nlohmann::json::parse(done.out);
+  std::vector<std::string> found;
+  for (const auto& one : result["mutations"])
+    found.push_back(one["what"].get<std::string>() + " " + one["version"].get<std::string>() + " " +
+                    one["outcome"].get<std::string>());
+  CHECK(found ==
+        std::vector<std::string>{"parameter gains.1 2 mm survives", "parameter gains.1 0.5 mm survives",
+                                 "parameter gains.1 -1 mm survives", "parameter temp 40 degC noticed",
+                                 "parameter temp 10 degC noticed", "parameter temp -20 degC noticed"});
+  CHECK(result["left_out"] == nlohmann::json::array({"none: it is 0"}));
+  CHECK_THAT(run_program(folder, {"mutate", "lists.yaml"}).out,
+             Contains("  not mutated: parameter none: it is 0\n"));
+}
+
+TEST_CASE("mutate takes names in variables of a StateMachine for no wires") {
+  const Scratch folder;
+  folder.file("machine.yaml",
+              "stepwire: 1\nstep: 10 ms\nstop: 1 s\nblocks:\n  a: {block: Ramp, slope: 1}\n"
+              "  b: {block: Ramp, slope: 2}\n  f:\n    block: StateMachine\n    u: [a, b]\n"
+              "    variables: [a, b]\n    states: {x: {to: {y: a > 0.3}}, y: {output: 1}}\nrecord: f.y\n"
+              "claims:\n  - {that: off, final: f.y, equals: 1}\n");
+  const Done done = run_program(folder, {"mutate", "machine.yaml", "--json"});
+  INFO(done.out << done.err);
+  for (const auto& one : nlohmann::json::parse(done.out)["mutations"])
+    CHECK_THAT(one["what"].get<std::string>(), Catch::StartsWith("wire f.u."));
+}

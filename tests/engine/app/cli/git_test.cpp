@@ -274,3 +274,37 @@ TEST_CASE("diff --results names the worst difference of each signal and the clai
   CHECK(same.code == 0);
   CHECK_THAT(same.out, Contains("all recorded signals and all verdicts are the same"));
 }
+
+TEST_CASE("diff names a part that cannot be read in one of the versions, at any depth, and ends with 2") {
+  const Scratch folder;
+  const std::string user = "stepwire: 1\nstep: 1 ms\nstop: 1 s\nblocks:\n  p: {diagram: parts/FILE}\n";
+  for (const std::string side : {"old", "new"}) {
+    std::filesystem::create_directories(folder.path(side + "/parts"));
+    folder.file(side + "/main.yaml", other(user, "FILE", "mid.yaml"));
+    folder.file(side + "/parts/mid.yaml", other(user, "parts/FILE", "inner.yaml"));
+    folder.file(side + "/parts/inner.yaml", cart);
+  }
+  CHECK(run_program(folder, {"diff", "old/main.yaml", "new/main.yaml"}).code == 0);
+  std::filesystem::remove(folder.path("new/parts/inner.yaml"));
+  const Done gone = run_program(folder, {"diff", "old/main.yaml", "new/main.yaml"});
+  CHECK(gone.code == 2);
+  CHECK(gone.out.empty());
+  CHECK_THAT(gone.err, Contains("new/parts/inner.yaml: no such file (used by new/parts/mid.yaml:5:3)"));
+  folder.file("old/parts/mid.yaml", "stepwire: [");
+  const Done json = run_program(folder, {"diff", "old/main.yaml", "new/main.yaml", "--json"});
+  CHECK(json.code == 2);
+  CHECK_THAT(json.out, Contains("\"file\": \"old/parts/mid.yaml\""));
+}
+
+TEST_CASE("a fault of a version that is merged has the name of its file") {
+  const Scratch folder;
+  folder.file("good.yaml", cart);
+  folder.file("bad.yaml", other(cart, "2 Hz", "[2 Hz"));
+  for (const std::vector<std::string> files : {std::vector<std::string>{"bad.yaml", "good.yaml", "good.yaml"},
+                                               {"good.yaml", "bad.yaml", "good.yaml"},
+                                               {"good.yaml", "good.yaml", "bad.yaml"}}) {
+    const Done done = run_program(folder, {"merge", files[0], files[1], files[2], "-o", "out.yaml"});
+    CHECK(done.code == 2);
+    CHECK_THAT(done.err, Catch::StartsWith("bad.yaml:7:"));
+  }
+}

@@ -122,3 +122,35 @@ TEST_CASE("verify judges the claims of a sweep again") {
   change(folder, "out/claims.json", "\"value\": 0", "\"value\": 3");
   CHECK_THAT(run_program(folder, {"verify", "out"}).out, Contains("the claim 'it grows' has \"value\": 3"));
 }
+
+TEST_CASE("verify names a row that is missing at the end of any table, unless the run was interrupted") {
+  const Scratch folder;
+  folder.file("two.yaml",
+              "stepwire: 1\nstep: 0.5 s\nstop: 2 s\nblocks: {t: {block: Clock}}\n"
+              "record: [{signals: t}, {signals: t, every: 1 s}]\n");
+  REQUIRE(run_program(folder, {"run", "two.yaml", "--out", "out"}).code == 0);
+  change(folder, "out/signals-2.csv", "2,2\n", "");
+  const Done last = run_program(folder, {"verify", "out"});
+  CHECK(last.code == 1);
+  CHECK_THAT(last.out, Contains("out/signals-2.csv:4: the row at 2 s is missing, and run.json does not say"));
+  change(folder, "out/signals.csv", "1.5,1.5\n2,2\n", "");
+  CHECK_THAT(run_program(folder, {"verify", "out"}).out, Contains("signals.csv:5: the row at 1.5 s is"));
+  change(folder, "out/run.json", "\"interrupted\": false", "\"interrupted\": true");
+  CHECK(run_program(folder, {"verify", "out"}).code == 0);
+}
+
+TEST_CASE("verify refuses claims.json that is empty or gone where the diagram has claims") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out"}).code == 0);
+  for (const std::string empty : {"[]", "{}"}) {
+    folder.file("out/claims.json", empty);
+    const Done done = run_program(folder, {"verify", "out"});
+    CHECK(done.code == 1);
+    CHECK_THAT(done.out, Contains("out/claims.json: has no claim, and lag.yaml has 1 claim"));
+  }
+  std::filesystem::remove(folder.path("out/claims.json"));
+  const Done gone = run_program(folder, {"verify", "out"});
+  CHECK(gone.code == 1);
+  CHECK_THAT(gone.out, Contains("out/claims.json: is missing; every run writes it"));
+}

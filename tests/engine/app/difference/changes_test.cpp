@@ -188,6 +188,18 @@ TEST_CASE("the result has sections, values and places as data") {
   CHECK(result::json_of(found).text().find("\"ratio\"") != std::string::npos);
 }
 
+TEST_CASE("a block of another type has the values of both that differ, also defaults") {
+  const auto text = [](const std::string& block) {
+    return "stepwire: 1\nstep: 1 ms\nstop: 1 s\nblocks:\n  k: {block: Sine, amplitude: 1, frequency: 1 Hz}\n"
+           "  f: " +
+           block + "\nrecord: f\n";
+  };
+  const std::string lag = text("{block: Lag, u: k, tau: 1 s}"),
+                    derivative = text("{block: Derivative, u: k}");
+  CHECK(lines(lag, derivative) == Lines{"~ f: Lag -> Derivative", "~ f.tau: 1 s -> 0.001 s (default)"});
+  CHECK(lines(derivative, lag) == Lines{"~ f: Derivative -> Lag", "~ f.tau: 0.001 s (default) -> 1 s"});
+}
+
 TEST_CASE("a file that cannot be read is refused") {
   CHECK_THROWS_AS(compared("stepwire: [", loop_yaml), yaml::Error);
 }

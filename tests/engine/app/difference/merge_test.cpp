@@ -77,6 +77,17 @@ TEST_CASE("an element of a Mux that one side names is a conflict where the other
   CHECK(merged(exchanged, with(base, "stop: 1 s", "stop: 2 s"), base).conflicts.empty());
 }
 
+TEST_CASE("a block that one side exchanges for another type leaves none of its values") {
+  const std::string base =
+      with(loop_yaml, "{block: Sine, amplitude: 3 N, frequency: 2 Hz}", "{block: Constant, value: 1}");
+  const std::string ours = with(base, "stiffness}\n  sum", "2*stiffness}\n  sum"),
+                    theirs = with(base, "{block: Constant, value: 1}", "{block: Clock}");
+  for (const Merged& result : {merged(ours, theirs, base), merged(theirs, ours, base)}) {
+    CHECK(result.conflicts.empty());
+    CHECK_THAT(result.text, Contains("push:   {block: Clock}\n") && Contains("2*stiffness}"));
+  }
+}
+
 TEST_CASE("comments and layout of ours stay") {
   const std::string ours = with(loop_yaml, "  push:   {", "  # the hand\n  push:   {");
   const Merged result = merged(ours, with(loop_yaml, "400 N/m", "600 N/m"));

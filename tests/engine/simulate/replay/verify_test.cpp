@@ -111,9 +111,9 @@ TEST_CASE("runs of a sweep that are short or missing are told from those that di
     return verdict_of(folder, "out");
   };
   CHECK(verdict_with("2,10,20\n3,10,30\n", "") ==
-        "1 signal in 10 of 12 rows of 3 runs: all bits agree; the run ended early");
+        "signals.csv:8: the row at 2 s is missing, and run.json does not say that the run ended before it");
   CHECK(verdict_with("0,100,0\n1,100,100\n2,100,200\n3,100,300\n", "") ==
-        "1 signal in 8 of 12 rows of 3 runs: all bits agree; the run ended early");
+        "signals.csv:10: the row at 0 s is missing, and run.json does not say that the run ended before it");
   CHECK(verdict_with("3,100,300\n", "3,100,300\n0,100,0\n") ==
         "signals.csv:14: there are more rows than the 3 runs give");
 }
