@@ -272,6 +272,27 @@ std::vector<record::Recording> with_swept(std::vector<record::Recording> run, co
   return run;
 }
 
+/// Compares the recorded rows of one run with those computed now. Returns how many of them are used, per
+/// recording. `ticks` becomes that of the first missing row.
+std::vector<std::size_t> compare_rows(const std::vector<RecordedRows>& rows, const plan::Plan& plan,
+                                      const std::vector<record::Recording>& recordings,
+                                      Verification& verification, std::int64_t& ticks) {
+  std::vector<std::size_t> used;
+  Earliest earliest;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const table::Table& computed = recordings[i].table;
+    // A run that ended before its first row has no rows: these are of the next one.
+    used.push_back(computed.rows() == 0 ? 0 : rows[i].count);
+    verification.rows += used.back();
+    const RecordedRows own_rows{rows[i].recorded, rows[i].first, used.back()};
+    if (computed.rows() > used.back())
+      ticks = std::min(ticks, note_missing(own_rows, plan, plan.diagram.records[i], computed, verification));
+    compare(own_rows, computed, earliest);
+  }
+  verification.difference = earliest.text();
+  return used;
+}
+
 }  // namespace
 
 std::vector<std::size_t> replay_run(run::Executor& simulation, const std::vector<RecordedRows>& rows,
@@ -286,21 +307,9 @@ std::vector<std::size_t> replay_run(run::Executor& simulation, const std::vector
   const std::vector<record::Recording> recordings = recording.take();
   verification.interrupted = verification.interrupted || end.interrupted;
   if (verification.interrupted) return {};
-  std::vector<std::size_t> used;
-  Earliest earliest;
   std::int64_t ticks = end.ticks;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const table::Table& computed = recordings[i].table;
-    // A run that ended before its first row has no rows: these are of the next one.
-    used.push_back(computed.rows() == 0 ? 0 : rows[i].count);
-    verification.rows += used.back();
-    const RecordedRows own_rows{rows[i].recorded, rows[i].first, used.back()};
-    if (computed.rows() > used.back())
-      ticks = std::min(ticks, note_missing(own_rows, plan, plan.diagram.records[i], computed, verification));
-    compare(own_rows, computed, earliest);
-  }
+  std::vector<std::size_t> used = compare_rows(rows, plan, recordings, verification, ticks);
   verification.ticks += ticks;
-  verification.difference = earliest.text();
   return used;
 }
 
