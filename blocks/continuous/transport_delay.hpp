@@ -35,7 +35,7 @@ struct TransportDelay {
   Index rows = 1;
   double most = 1.0;          // largest stored delay [s]
   bool changes = false;       // true if the delay is a signal
-  bool holds_passed = false;  // Between instants the output is on the side of them that `passed` says.
+  bool holds_passed = false;  // Between instants the output keeps its side of each jump.
   Period period{};
   Time t{};
 

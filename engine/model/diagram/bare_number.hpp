@@ -26,8 +26,8 @@ std::string unit_as_written(const yaml::Node& node);
 std::optional<yaml::Message> bare_number(const std::string& text, const std::string& unit,
                                          const std::string& what);
 
-/// Returns the fault of a number without unit beside one in a unit other than SI, as of 2 in [1 mm, 2], which
-/// is 2 m. `place` gets the number. std::nullopt for lists in units of several dimensions, and other nodes.
+/// Returns the fault of a number without unit beside one in a unit other than SI, as of 2 in [1 mm, 2].
+/// `place` gets the number. Returns std::nullopt for lists in units of several dimensions, and other nodes.
 std::optional<yaml::Message> bare_element(const yaml::Node& list, const yaml::Node*& place);
 
 }  // namespace stepwire::diagram
