@@ -63,7 +63,7 @@ test("a second loop is added to the analyses that there are, and the file loads"
     await page.waitForFunction(() => document.querySelector(".bar-file button").disabled);
     const line = (signal) => `{from: ${signal}, to: ${signal}, open: ${signal}}`;
     assert.equal(studio.file, taken.replace("to: plant}\n", `to: plant}\n     loop2: ${line("control.y")}\n     loop3: ${line("plant.y")}\n`)
-      .replace("y: plant}\n", `y: plant}, {plot: bode, of: loop2, title: The loop opened at control.y}, {plot: bode, of: loop3, title: The loop cut behind plant.y}]\n`).replace("figure: {", "figure: [{"));
+      .replace("y: plant}\n", `y: plant}, {plot: bode, of: loop2, title: The loop opened at control.y}, {plot: bode, of: loop3, title: The loop opened at plant.y}]\n`).replace("figure: {", "figure: [{"));
     studio.run();
     assert.deepEqual(studio.errors, []);
   } finally {
