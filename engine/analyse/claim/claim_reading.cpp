@@ -152,8 +152,10 @@ std::optional<double> read_compared(const yaml::Node& node, Claim& claim, const 
   return number->value;
 }
 
-/// Returns a number as written in the file; the SI unit is appended to one without a unit.
+/// Returns a number as written in the file, a formula without its `=`; the SI unit is appended to a number
+/// without a unit.
 std::string written_number(const yaml::Node& node, const Claim& claim) {
+  if (node.text.starts_with('=')) return node.text.substr(node.text.find_first_not_of("= "));
   const auto number = unit::parse_quantity(node.text);
   const auto dimension = reduced_dimension(claim);
   if (!number || number->dimension || !dimension || *dimension == unit::Dimension{}) return node.text;

@@ -119,38 +119,44 @@ struct Unjudged : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Sets the result to nan where a column of a comparison is nan; the comparison is neither true nor false
-/// there.
-void leave_undefined(const query::Formula& formula, const record::Recording& recording,
-                     std::vector<double>& values) {
-  for (const std::string& name : formula.columns) {
-    const table::Column& column = *recording.table.find(name);  // evaluate() has found it
-    for (std::size_t row = 0; row < values.size(); ++row)
-      if (std::isnan(column.values[row])) values[row] = query::nothing;
-  }
+/// Returns the last selected row of a run.
+std::size_t last_row(const Rows& rows, std::size_t run) {
+  std::size_t row = rows.run_end(run) - 1;
+  while (!rows.selected[row]) --row;
+  return row;
 }
 
-/// Returns the row that `final` or `at` reads in one run.
-std::size_t row_looked_at(const Claim& claim, const Rows& rows, std::size_t run) {
+void require_selected(const Claim& claim, const Rows& rows, std::size_t row) {
+  if (!rows.selected[row])
+    throw Unjudged(fmt::format("'{}' does not select the row at {} s", claim.where->text, rows.time[row]));
+}
+
+/// True for the step response of an analysis: a curve, whose rows nobody has chosen.
+bool reads_response(const Claim& claim) {
+  return std::ranges::any_of(claim.values.at(0).columns,
+                             [](const std::string& name) { return name.ends_with(".step.response"); });
+}
+
+/// Returns the value of a run at the time of a claim: that of the last row there. Between two rows only a
+/// response has one.
+double value_at(const Claim& claim, const Rows& rows, std::size_t run) {
   const std::size_t begin = rows.starts[run], end = rows.run_end(run);
-  if (claim.reduction == Reduction::final)
-    for (std::size_t row = end; row-- > begin;)
-      if (rows.selected[row]) return row;
-  const double last = rows.time[end - 1], slack = end - begin > 1 ? last - rows.time[end - 2] : 0.0;
-  if (claim.time < rows.time[begin] || claim.time > last + 0.5 * slack)
+  const double rounding = 1e-9 * std::max(std::abs(claim.time), std::abs(rows.time[end - 1]));
+  std::size_t next = begin;
+  while (next < end && rows.time[next] <= claim.time + rounding) ++next;
+  if (next > begin && std::abs(rows.time[next - 1] - claim.time) <= rounding) {
+    require_selected(claim, rows, next - 1);
+    return rows.value[next - 1];
+  }
+  if (next == begin || next == end)
     throw Unjudged(fmt::format("there is no row at {} s; the record goes from {} s to {} s", claim.time,
-                               rows.time[begin], last));
-  std::size_t nearest = begin;
-  for (std::size_t row = begin; row < end; ++row)
-    if (std::abs(rows.time[row] - claim.time) < std::abs(rows.time[nearest] - claim.time)) nearest = row;
-  if (!rows.selected[nearest])
-    throw Unjudged(
-        fmt::format("'{}' does not select the row at {} s", claim.where->text, rows.time[nearest]));
-  return nearest;
-}
-
-bool has_one_row(const Claim& claim) {
-  return claim.reduction == Reduction::final || claim.reduction == Reduction::at;
+                               rows.time[begin], rows.time[end - 1]));
+  if (!reads_response(claim))
+    throw Unjudged(fmt::format("there is no row at {} s; the nearest ones are at {} s and {} s", claim.time,
+                               rows.time[next - 1], rows.time[next]));
+  require_selected(claim, rows, next - 1);
+  const double part = (claim.time - rows.time[next - 1]) / (rows.time[next] - rows.time[next - 1]);
+  return rows.value[next - 1] + part * (rows.value[next] - rows.value[next - 1]);
 }
 
 /// Evaluates a claim's formulas on a recording. Throws Unjudged, and std::invalid_argument for a missing
@@ -163,8 +169,6 @@ Rows rows_of(const Claim& claim, const record::Recording& recording) {
     rows.time = time->values;
   else
     throw Unjudged("no time was recorded");
-  if (claim.reduction == Reduction::fraction || claim.reduction == Reduction::count)
-    leave_undefined(claim.values[0], recording, rows.value);
   rows.selected.assign(rows.value.size(), true);
   rows.starts = recording.starts;
   rows.free_offset = claim.free_offset;
@@ -178,8 +182,9 @@ Rows rows_of(const Claim& claim, const record::Recording& recording) {
 
 /// Returns the number of one run with at least one selected row. Throws Unjudged if it has none.
 double value_of_run(const Claim& claim, const Rows& rows, std::size_t run) {
-  return has_one_row(claim) ? rows.value[row_looked_at(claim, rows, run)]
-                            : reduce(claim.reduction, rows.of_run(run));
+  if (claim.reduction == Reduction::final) return rows.value[last_row(rows, run)];
+  return claim.reduction == Reduction::at ? value_at(claim, rows, run)
+                                          : reduce(claim.reduction, rows.of_run(run));
 }
 
 /// True if `where` selects at least one row of a run.

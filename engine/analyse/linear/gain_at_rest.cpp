@@ -42,14 +42,22 @@ class Resolvent {
   const Eigen::VectorXd& out_of() const { return out_of_; }  ///< C.
   double direct() const { return system_.D(0, 0); }
 
+  /// True where rounding of T may move a pole to the point, or away from it.
+  bool is_near_pole(const Complex& point) const {
+    constexpr double most = 1e10;
+    const Sparse T = matrix(point);
+    Eigen::SparseLU<Sparse> solver(T);
+    if (solver.info() != Eigen::Success) return true;
+    Eigen::VectorXcd uneven(size());
+    for (Eigen::Index i = 0; i < size(); ++i)
+      uneven[i] = (i % 2 == 0 ? 1.0 : -1.0) * (1.0 + static_cast<double>(i) / static_cast<double>(size()));
+    const double inverse = solver.solve(uneven).cwiseAbs().maxCoeff();
+    return !(inverse * T.coeffs().abs().maxCoeff() < most);
+  }
+
   /// Returns T^-1 B and T^-T C; std::nullopt at a pole.
   std::optional<std::array<Eigen::VectorXcd, 2>> at(const Complex& point) const {
-    std::vector<Eigen::Triplet<Complex>> all = constant_;
-    for (Eigen::Index i = 0; i < size(); ++i)
-      all.emplace_back(i, i, i < n_ ? point : std::exp(point * delay(i - n_)));
-    Sparse T(size(), size());
-    T.setFromTriplets(all.begin(), all.end());
-    Eigen::SparseLU<Sparse> solver(T);
+    Eigen::SparseLU<Sparse> solver(matrix(point));
     if (solver.info() != Eigen::Success) return std::nullopt;
     std::array<Eigen::VectorXcd, 2> both{solver.solve(into_.cast<Complex>()),
                                          solver.transpose().solve(out_of_.cast<Complex>())};
@@ -76,6 +84,14 @@ class Resolvent {
   }
 
  private:
+  Sparse matrix(const Complex& point) const {
+    std::vector<Eigen::Triplet<Complex>> all = constant_;
+    for (Eigen::Index i = 0; i < size(); ++i)
+      all.emplace_back(i, i, i < n_ ? point : std::exp(point * delay(i - n_)));
+    Sparse T(size(), size());
+    T.setFromTriplets(all.begin(), all.end());
+    return T;
+  }
   void put(Eigen::Index row, Eigen::Index column, double number) {
     if (number != 0.0) constant_.emplace_back(row, column, -number);
   }
@@ -164,6 +180,7 @@ class CircleAboutRest {
 struct Surroundings {
   std::vector<double> distances;
   std::size_t fewest = 0, most = 0;  ///< Numbers of poles that can be one pole at rest, but for rounding.
+  std::size_t close = 0;             ///< Number of poles that a zero may cancel there.
 
   /// Returns the radius of a circle about the first poles, on which the others change the response little.
   double radius(std::size_t inside, const std::vector<InnerDelay>& delays) const {
@@ -188,6 +205,7 @@ Surroundings surroundings_of(std::vector<Complex> poles, double centre) {
   for (const Complex& pole : poles) {
     sum += pole;
     found.distances.push_back(std::abs(pole));
+    if (std::abs(pole) <= 1e-8 * size) found.close = found.distances.size();
     const double order = static_cast<double>(found.distances.size());
     if (std::abs(sum) > order * rounding * size ||
         std::abs(pole) > 3.0 * std::pow(rounding, 1.0 / order) * size)
@@ -224,8 +242,12 @@ double gain_at_rest(const StateSpace& system) {
   const double centre = system.is_sampled() ? 1.0 : 0.0;
   if (!system.A.allFinite()) return undecided;
   if (system.A.size() == 0 && system.delays.empty()) return system.D(0, 0);
-  if (const auto limit = Resolvent(system).gain_at(centre)) return *limit;
+  const Resolvent resolvent(system);
+  const std::optional<double> direct = resolvent.gain_at(centre);
+  if (direct && !resolvent.is_near_pole(centre)) return *direct;
   const Surroundings near = surroundings_of(poles_of(system), centre);
+  if (direct && near.most == 0 && (*direct != 0.0 || near.close == 0)) return *direct;
+  if (near.most == 0) return limit_by_circles(system, centre, near, near.close);
   const double limit = limit_by_circles(system, centre, near, near.fewest);
   if (near.most == near.fewest) return limit;
   const double other = limit_by_circles(system, centre, near, near.most);

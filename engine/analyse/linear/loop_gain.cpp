@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/analyse/linear/gain_at_rest.hpp"
+
 namespace stepwire::linear {
 namespace {
 
@@ -40,7 +42,7 @@ bool within(const std::vector<FrequencyBand>& bands, double low, double high) {
 }  // namespace
 
 LoopGain::LoopGain(const StateSpace& system, double sign, const std::vector<Mode>& closed)
-    : response_(system), sign_(sign) {
+    : response_(system), sign_(sign), at_rest_(sign * gain_at_rest(system)) {
   for (const double w : response_.search_frequencies(closed)) rows_.push_back({w, at(w)});
   std::erase_if(rows_, [](const Row& row) { return !std::isfinite(std::abs(row.value)); });
   add_touches(log_gain);

@@ -32,6 +32,8 @@ class LoopGain {
   LoopGain(const StateSpace& system, double sign, const std::vector<Mode>& closed = {});
 
   Complex at(double frequency) const { return sign_ * response_.at(frequency); }
+  /// Returns the limit of L at frequency 0; infinite or NaN if there is none.
+  double at_rest() const { return at_rest_; }
   const FrequencyResponse& response() const { return response_; }
   const std::vector<Row>& rows() const { return rows_; }
 
@@ -52,7 +54,7 @@ class LoopGain {
   bool is_rounding(const Row& row) const;
 
   FrequencyResponse response_;
-  double sign_;
+  double sign_, at_rest_;
   std::vector<Row> rows_;
 };
 

@@ -51,7 +51,8 @@ class MarginSearch {
       return std::ranges::find(crossings, frequency, &LoopGain::Row::frequency) != crossings.end();
     };
     const double last = loop_.rows().back().frequency;
-    if (!has(loop_.rows().front().frequency)) add_real(0.0, loop_.at(0.0), margins_.gain);
+    if (!has(loop_.rows().front().frequency) && std::isfinite(loop_.at_rest()))
+      add_real(0.0, loop_.at_rest(), margins_.gain);
     for (const LoopGain::Row& row : crossings)
       if (is_resolved(row.frequency)) add_real(row.frequency, row.value, margins_.gain);
     if (has(last)) return;
@@ -80,7 +81,7 @@ class MarginSearch {
   void find_modulus() {
     const LoopGain::Row nearest = loop_.nearest_to_minus_one();
     take(nearest.frequency, std::abs(1.0 + nearest.value));
-    take(0.0, std::abs(1.0 + loop_.at(0.0)));
+    take(0.0, std::abs(1.0 + loop_.at_rest()));
     if (loop_.response().is_sampled()) return;
     const bool turns = loop_.response().last_followed() < infinite;
     if (!loop_.response().follows_all_turns() && direct_ != 0.0) return;  // a bound, no limit

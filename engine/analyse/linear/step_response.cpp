@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <unsupported/Eigen/MatrixFunctions>
+#include <numbers>
 
 #include "engine/analyse/linear/delay_system.hpp"
+#include "engine/analyse/linear/gain_at_rest.hpp"
 #include "engine/analyse/linear/margins.hpp"
+#include "engine/base/control/design.hpp"
 
 namespace stepwire::linear {
 namespace {
@@ -44,7 +47,7 @@ class DelayedStep {
     whole.topLeftCorner(n, n) = system.A * step;
     whole.block(0, n, n, all) = system.B * step;
     whole.block(n + 1, n + 1 + d, d, d).setIdentity();
-    turn_ = whole.exp().topRows(n);
+    turn_ = control::exponential(whole).topRows(n);
     x_ = Eigen::VectorXd::Zero(n);
     look(0, false);
     look(0, true);
@@ -98,42 +101,52 @@ double grid_step(const StateSpace& system, double interval) {
   return first / std::ceil(first / most * (1.0 - 1e-12));
 }
 
-/// Computes the unit step response of a continuous system with delays and one input, at `rows` multiples of
-/// `interval` [s] from 0 on. The step size divides the first delay, so that jumps that return through that
-/// delay are exactly on the grid. A step is exact if the delayed signals are linear within it.
-std::vector<double> delayed_step(const StateSpace& system, double interval, std::size_t rows) {
-  const double step = grid_step(system, interval);
-  DelayedStep run(system, step);
-  std::vector<double> y;
-  double before = 0.0, here = run.output();
-  for (double point = 0.0; y.size() < rows;) {
-    const double wanted = static_cast<double>(y.size()) * interval / step;
-    if (wanted <= point + 1e-9) {
-      const double part = std::clamp(wanted - (point - 1.0), 0.0, 1.0);
-      y.push_back(point == 0.0 ? here : before + part * (here - before));
-      continue;
+/// Times of the rows of a response. The spacing follows the modes that have not decayed: a hundredth of a
+/// time constant and of a period, and an 800th of the whole. It grows by powers of two, so that a few
+/// transition matrices are enough.
+class RowTimes {
+ public:
+  explicit RowTimes(const StateSpace& system) {
+    double slowest = 0.0, fastest = 0.0;
+    for (const Mode& mode : modes_of(system)) {
+      if (!std::isfinite(mode.frequency) || mode.frequency == 0.0) continue;
+      const double decay = mode.damping * mode.frequency;
+      const bool decays = decay > 1e-9 * mode.frequency;
+      fastest = std::max(fastest, mode.frequency);
+      if (decays) slowest = std::max(slowest, 1.0 / decay);
+      comes_to_rest_ = comes_to_rest_ && decays;
+      const double period = 2.0 * std::numbers::pi / mode.frequency;
+      scales_.push_back({decays ? constants / decay : std::numeric_limits<double>::infinity(),
+                         0.01 * (decays ? std::min(period, 1.0 / decay) : period)});
     }
-    before = here;
-    run.advance();
-    here = run.output();
-    point += 1.0;
+    duration_ = slowest > 0.0 ? constants * slowest : fastest > 0.0 ? 40.0 / fastest : 1.0;
+    if (system.is_sampled()) duration_ = std::max(duration_, least_samples * system.sample_time);
+    unit_ = system.is_sampled() ? system.sample_time : spacing(0.0);
   }
-  return y;
-}
 
-constexpr int most_steps = 2000, steps = 800;
-
-/// Returns the duration of the response [s].
-double duration_of(const StateSpace& system) {
-  double slowest = 0.0, fastest = 0.0;
-  for (const Mode& mode : modes_of(system)) {
-    const double decay = mode.damping * mode.frequency;
-    if (std::isfinite(mode.frequency)) fastest = std::max(fastest, mode.frequency);
-    if (decay > 1e-9 * mode.frequency && std::isfinite(decay)) slowest = std::max(slowest, 1.0 / decay);
+  double duration() const { return duration_; }
+  bool comes_to_rest() const { return comes_to_rest_; }  ///< All modes decay.
+  double unit() const { return unit_; }                  ///< The smallest spacing [s].
+  /// Returns the largest spacing that shows what moves at a time [s].
+  double spacing(double time) const {
+    double least = duration_ / steps;
+    for (const Scale& scale : scales_)
+      if (time < scale.until) least = std::min(least, scale.spacing);
+    return least;
   }
-  if (slowest > 0.0) return 8.0 * slowest;
-  return fastest > 0.0 ? 40.0 / fastest : 1.0;
-}
+
+ private:
+  struct Scale {
+    double until, spacing;  ///< [s]
+  };
+  static constexpr double constants = 8.0;  ///< Time constants after which a mode is over.
+  static constexpr double least_samples = 10.0;
+  static constexpr int steps = 800;
+
+  std::vector<Scale> scales_;
+  double duration_ = 0.0, unit_ = 0.0;
+  bool comes_to_rest_ = true;
+};
 
 /// Returns the transition matrix [A B; 0 I] of one step with the input held.
 Eigen::MatrixXd held(const StateSpace& system, double step) {
@@ -141,7 +154,7 @@ Eigen::MatrixXd held(const StateSpace& system, double step) {
   Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(n + 1, n + 1);
   whole.topLeftCorner(n, n) = system.A;
   whole.topRightCorner(n, 1) = system.B;
-  if (!system.is_sampled()) return (whole * step).exp();
+  if (!system.is_sampled()) return control::exponential(whole * step);
   whole(n, n) = 1.0;
   return whole;
 }
@@ -164,52 +177,146 @@ std::vector<double> locus_gains() {
   return gains;
 }
 
-ResponseCurve delayed_response(const StateSpace& system, double step) {
-  ResponseCurve curve{{}, delayed_step(system, step, steps + 1)};
-  for (int k = 0; k <= steps; ++k) curve.x.push_back(k * step);
-  return curve;
+/// Adds the extreme between two rows at which the slope has opposite signs: that of the cubic through them.
+void add_extreme(ResponseCurve& curve, double x, double y, double slope_before, double slope) {
+  const double length = x - curve.x.back(), from = curve.y.back();
+  if (!(slope_before * slope < 0.0)) return;
+  const auto slope_at = [&](double part) {
+    return 6.0 * part * (1.0 - part) * (y - from) / length +
+           (3.0 * part - 1.0) * (part - 1.0) * slope_before + part * (3.0 * part - 2.0) * slope;
+  };
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < 40; ++i)
+    (slope_at(0.5 * (low + high)) * slope_before > 0.0 ? low : high) = 0.5 * (low + high);
+  const double p = low, q = 1.0 - p;
+  curve.x.push_back(curve.x.back() + p * length);
+  curve.y.push_back(from * q * q * (1.0 + 2.0 * p) + y * p * p * (3.0 - 2.0 * p) +
+                    length * p * q * (q * slope_before - p * slope));
 }
 
-ResponseCurve held_response(const StateSpace& system, double step, int count) {
-  const Eigen::MatrixXd turn = held(system, step);
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(turn.rows());
-  x[turn.rows() - 1] = 1.0;
+/// Walks along the response of a system without delays.
+class HeldStep {
+ public:
+  HeldStep(const StateSpace& system, const RowTimes& times) : system_(system), times_(times) {
+    x_ = Eigen::VectorXd::Zero(system.A.rows() + 1);
+    x_[system.A.rows()] = 1.0;
+    if (times.comes_to_rest()) rest_ = gain_at_rest(system);
+  }
+
+  ResponseCurve curve() {
+    ResponseCurve curve;
+    for (std::int64_t at = 0;; at += std::int64_t{1} << level_) {
+      const double time = static_cast<double>(at) * times_.unit();
+      add(curve, time);
+      if (time >= times_.duration() * (1.0 - 1e-9) && is_over(curve)) return curve;
+      choose_level(time);
+      x_ = (turn() * x_).eval();
+    }
+  }
+
+ private:
+  static constexpr int most_of_level = 5000;  ///< Rows after which the spacing doubles in any case.
+
+  void add(ResponseCurve& curve, double time) {
+    const Eigen::Index n = system_.A.rows();
+    const double y = (system_.C * x_.head(n))(0) + system_.D(0, 0);
+    const double slope = system_.is_sampled() ? 0.0 : (system_.C * (system_.A * x_.head(n) + system_.B))(0);
+    if (!curve.x.empty()) add_extreme(curve, time, y, slope_, slope);
+    slope_ = slope;
+    curve.x.push_back(time);
+    curve.y.push_back(y);
+  }
+
+  /// False while a slow mode of a large part is still seen beside the whole way.
+  bool is_over(const ResponseCurve& curve) const {
+    constexpr double rest_of_way = 5e-4, most_durations = 2.5;
+    const double way = std::abs(rest_ - curve.y.front());
+    return !(std::abs(curve.y.back() - rest_) > rest_of_way * way) || way == 0.0 ||
+           curve.x.back() > most_durations * times_.duration();
+  }
+
+  void choose_level(double time) {
+    const double most = times_.spacing(time) * (1.0 + 1e-9);
+    const int before = level_;
+    while (std::ldexp(times_.unit(), level_ + 1) <= most) ++level_;
+    if (level_ == before && ++rows_of_level_ > most_of_level) ++level_;
+    if (level_ != before) rows_of_level_ = 0;
+  }
+
+  const Eigen::MatrixXd& turn() {
+    while (std::ssize(turns_) <= level_)
+      turns_.push_back(system_.is_sampled() && !turns_.empty()
+                           ? (turns_.back() * turns_.back()).eval()
+                           : held(system_, std::ldexp(times_.unit(), static_cast<int>(turns_.size()))));
+    return turns_[static_cast<std::size_t>(level_)];
+  }
+
+  const StateSpace& system_;
+  const RowTimes& times_;
+  std::vector<Eigen::MatrixXd> turns_;
+  Eigen::VectorXd x_;
+  double slope_ = 0.0;
+  double rest_ = std::numeric_limits<double>::quiet_NaN();  ///< Last value, if there is one.
+  int level_ = 0, rows_of_level_ = 0;
+};
+
+ResponseCurve held_response(const StateSpace& system) {
+  const RowTimes times(system);
+  return HeldStep(system, times).curve();
+}
+
+/// Returns the response of a chain of delays: that of its rational part, later by the sum of the delays.
+ResponseCurve later_response(const DelayChain& chain) {
+  const ResponseCurve rational = held_response(chain.rational);
+  constexpr int rows_before = 100;
   ResponseCurve curve;
-  for (int k = 0; k <= count; ++k, x = (turn * x).eval()) {
-    curve.x.push_back(k * step);
-    curve.y.push_back((system.C * x.head(system.A.rows()))(0) + system.D(0, 0));
+  for (int k = 0; k < rows_before && chain.time > 0.0; ++k) {
+    curve.x.push_back(k * chain.time / rows_before);
+    curve.y.push_back(0.0);
+  }
+  for (std::size_t i = 0; i < rational.x.size(); ++i) {
+    curve.x.push_back(chain.time + rational.x[i]);
+    curve.y.push_back(rational.y[i]);
   }
   return curve;
 }
 
-/// Returns the response of a chain of delays: that of its rational part, later by the sum of the delays.
-ResponseCurve later_response(const DelayChain& chain, double step) {
-  const StateSpace& system = chain.rational;
-  const double first = std::ceil(chain.time / step * (1.0 - 1e-12));
-  const Eigen::MatrixXd turn = held(system, step);
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(turn.rows());
-  x[turn.rows() - 1] = 1.0;
-  x = (held(system, std::max(0.0, first * step - chain.time)) * x).eval();
-  ResponseCurve curve;
-  for (int k = 0; k <= steps; ++k) {
-    curve.x.push_back(k * step);
-    curve.y.push_back(k < first ? 0.0 : (system.C * x.head(system.A.rows()))(0) + system.D(0, 0));
-    if (k >= first) x = (turn * x).eval();
+/// Keeps the grid points that the spacing asks for, and each extreme.
+ResponseCurve delayed_response(const StateSpace& system, const RowTimes& times) {
+  constexpr double most_points = 2e4;
+  const double step = grid_step(system, std::max(times.unit(), times.duration() / most_points));
+  DelayedStep run(system, step);
+  ResponseCurve curve{{0.0}, {run.output()}};
+  double before = run.output(), rise = 0.0;
+  for (double point = 1.0; curve.x.back() < times.duration() * (1.0 - 1e-9); point += 1.0) {
+    run.advance();
+    const double time = point * step, here = run.output();
+    if (rise * (here - before) < 0.0 && curve.x.back() < time - 1.5 * step) {
+      curve.x.push_back(time - step);
+      curve.y.push_back(before);
+    }
+    if (here != before) rise = here - before;
+    before = here;
+    if (time - curve.x.back() < times.spacing(time) * (1.0 - 1e-9) && time < times.duration()) continue;
+    curve.x.push_back(time);
+    curve.y.push_back(here);
   }
   return curve;
 }
 
 /// Other delays far below the step of the curve are replaced by lines: exact steps, a fraction of such a
 /// delay each, would be without end.
-ResponseCurve response_with_delays(const StateSpace& system, double step) {
-  constexpr double least_share = 0.02;
+ResponseCurve response_with_delays(const StateSpace& system) {
+  constexpr double least_share = 0.02 / 800.0;
   constexpr Eigen::Index nodes = 4;
-  if (const auto chain = delay_chain(system)) return later_response(*chain, step);
-  const bool has_short = std::ranges::any_of(
-      system.delays, [&](const InnerDelay& delay) { return delay.time < least_share * step; });
-  if (!has_short) return delayed_response(system, step);
-  const StateSpace longer = with_lines_below(system, least_share * step, nodes);
-  return longer.delays.empty() ? held_response(longer, step, steps) : delayed_response(longer, step);
+  if (const auto chain = delay_chain(system)) return later_response(*chain);
+  const RowTimes times(system);
+  const double shortest = least_share * times.duration();
+  const bool has_short =
+      std::ranges::any_of(system.delays, [&](const InnerDelay& delay) { return delay.time < shortest; });
+  if (!has_short) return delayed_response(system, times);
+  const StateSpace longer = with_lines_below(system, shortest, nodes);
+  return longer.delays.empty() ? held_response(longer) : delayed_response(longer, times);
 }
 
 /// Returns the poles of a loop, the same number for each gain. Poles of delays beyond the resolution of the
@@ -228,13 +335,7 @@ std::vector<Complex> locus_poles(const StateSpace& loop) {
 }  // namespace
 
 ResponseCurve step_response(const StateSpace& system) {
-  const double step = system.is_sampled() ? system.sample_time : duration_of(system) / steps;
-  if (!system.delays.empty()) return response_with_delays(system, step);
-  const int count =
-      system.is_sampled()
-          ? static_cast<int>(std::clamp(std::ceil(duration_of(system) / step), 10.0, double{most_steps}))
-          : steps;
-  return held_response(system, step, count);
+  return system.delays.empty() ? held_response(system) : response_with_delays(system);
 }
 
 RootLocus root_locus(const StateSpace& system, double feedback) {

@@ -326,7 +326,7 @@ std::optional<Formula> read_formula(const yaml::Node& node, std::string_view tex
     }
     const auto dimension = find_dimension(expression, text, names);
     const yaml::Mark mark = place_in(node, offset, names).mark;
-    return Formula{trimmed(text), std::move(expression), std::move(columns), recording, dimension, mark};
+    return Formula{trimmed(text), expression.strict(), std::move(columns), recording, dimension, mark};
   } catch (const FormulaError& error) {
     faults.add({place_in(node, offset + error.position, names), subject, error.message, {}});
   } catch (const expression::ExpressionError& error) {

@@ -60,12 +60,32 @@ void add_row(text::TextTable& table, const statistics::AnovaRow& row, bool spher
   std::vector<std::string> cells{
       row.name,      number(row.sum_of_squares), fmt::format("{:g}", row.freedom), number(row.mean_square),
       number(row.f), printed_probability(row.p), number(row.partial_eta_squared)};
-  if (spherical) {
-    cells.push_back(row.sphericity ? fmt::format("{:.3f}", row.sphericity->epsilon) : "–");
-    cells.push_back(row.sphericity ? printed_probability(row.sphericity->p_corrected) : "–");
+  const auto add_correction = [&](double epsilon, double p) {
+    cells.push_back(std::isnan(epsilon) ? "–" : fmt::format("{:.3f}", epsilon));
+    cells.push_back(printed_probability(p));
+  };
+  if (spherical && row.sphericity) {
+    add_correction(row.sphericity->epsilon, row.sphericity->p_corrected);
+    add_correction(row.sphericity->huynh_feldt, row.sphericity->p_huynh_feldt);
+  } else if (spherical) {
+    cells.insert(cells.end(), 4, "–");
   }
   table.rows.push_back(std::move(cells));
 }
+
+}  // namespace
+
+Json sphericity_json(const statistics::Sphericity& of) {
+  return Json::object()
+      .set("mauchly_W", of.mauchly)
+      .set("mauchly_P", of.p_mauchly)
+      .set("epsilon_greenhouse_geisser", of.epsilon)
+      .set("P_greenhouse_geisser", of.p_corrected)
+      .set("epsilon_huynh_feldt", of.huynh_feldt)
+      .set("P_huynh_feldt", of.p_huynh_feldt);
+}
+
+namespace {
 
 Json row_json(const statistics::AnovaRow& row) {
   Json json = Json::object()
@@ -77,12 +97,7 @@ Json row_json(const statistics::AnovaRow& row) {
                   .set("P", row.p)
                   .set("partial_eta_squared", row.partial_eta_squared)
                   .set("against", row.against);
-  if (row.sphericity)
-    json.set("sphericity", Json::object()
-                               .set("epsilon_greenhouse_geisser", row.sphericity->epsilon)
-                               .set("P_greenhouse_geisser", row.sphericity->p_corrected)
-                               .set("mauchly_W", row.sphericity->mauchly)
-                               .set("mauchly_P", row.sphericity->p_mauchly));
+  if (row.sphericity) json.set("sphericity", sphericity_json(*row.sphericity));
   return json;
 }
 
@@ -167,7 +182,7 @@ text::TextTable anova_table(const statistics::Anova& anova, const std::string& t
   const bool spherical =
       std::any_of(anova.terms.begin(), anova.terms.end(),
                   [](const statistics::AnovaRow& row) { return row.sphericity.has_value(); });
-  if (spherical) table.columns.insert(table.columns.end(), {"ε (GG)", "P (GG)"});
+  if (spherical) table.columns.insert(table.columns.end(), {"ε (GG)", "P (GG)", "ε (HF)", "P (HF)"});
   for (const statistics::AnovaRow& row : anova.terms) add_row(table, row, spherical);
   if (anova.residual.freedom > 0.0) add_row(table, anova.residual, spherical);
   add_row(table, anova.total, spherical);

@@ -45,6 +45,9 @@ TaskAnalysis analyse(const PathErrors& errors, const std::vector<Condition>& con
 /// Returns an analysis of variance as a table: its lines, then notes on the method and warnings.
 text::TextTable anova_table(const statistics::Anova& anova, const std::string& title);
 
+/// Returns the test of sphericity and both corrections as JSON.
+json::Json sphericity_json(const statistics::Sphericity& of);
+
 /// Returns it as JSON; missing values are null.
 json::Json anova_json(const statistics::Anova& anova);
 

@@ -258,14 +258,7 @@ Json term_json(const statistics::TermEffect& one, const statistics::WithinSubjec
                   .set("partial_eta_squared", one.partial)
                   .set("partial_eta_squared_interval", interval_json(one.interval))
                   .set("generalised_eta_squared", one.generalised);
-  if (const auto& s = within.repeated.find(one.term)->sphericity)
-    json.set("sphericity", Json::object()
-                               .set("mauchly_W", s->mauchly)
-                               .set("mauchly_P", s->p_mauchly)
-                               .set("epsilon_greenhouse_geisser", s->epsilon)
-                               .set("P_greenhouse_geisser", s->p_corrected)
-                               .set("epsilon_huynh_feldt", s->huynh_feldt)
-                               .set("P_huynh_feldt", s->p_huynh_feldt));
+  if (const auto& s = within.repeated.find(one.term)->sphericity) json.set("sphericity", sphericity_json(*s));
   return json;
 }
 

@@ -26,6 +26,7 @@ struct MovingDiagram {
   Diagram diagram;
   typename Diagram::State before{};  ///< state before the last evaluation; co-simulation only
   double time = 0.0;                 ///< time of model exchange [s]
+  double edge = std::numeric_limits<double>::infinity();  ///< next jump of a source [s], model exchange only
   std::int64_t first_tick = 0;
   Phase phase = Phase::made;
   bool exchange;
@@ -40,7 +41,7 @@ struct MovingDiagram {
     if (evaluated) return;
     if (begins) begin();
     if constexpr (requires(Diagram & d) { d.evaluate_at(0.0); })
-      if (exchange) diagram.evaluate_at(time);
+      if (exchange) evaluate_exchange();
     if (!exchange) {
       diagram.save(before);
       diagram.evaluate();
@@ -88,6 +89,13 @@ struct MovingDiagram {
   }
 
  private:
+  /// Branches are chosen at events alone: a step of the importer's solver never sees both sides of one.
+  void evaluate_exchange() {
+    if constexpr (requires(Diagram & d) { d.evaluate_between(0.0, 0.0); })
+      if (phase == Phase::continuous) return diagram.evaluate_between(time, edge);
+    diagram.evaluate_at(time);
+  }
+
   double crossing(int k) {
     if constexpr (requires(Diagram & d) { d.crossings(nullptr); }) {
       double numbers[Diagram::crossing_count];
@@ -322,14 +330,15 @@ class DiagramUnit final : public ExportedUnit {
   Status enter_event() override {
     if (!allows(Phase::continuous | Phase::at_event, "EnterEventMode")) return Status::error;
     moving_.phase = Phase::at_event;
+    moving_.evaluated = false;
     return Status::ok;
   }
   Status update(bool& terminates, double& next) override {
     if (!allows(0u | Phase::at_event, "a call for discrete states")) return Status::error;
     moving_.evaluate();
     terminates = moving_.diagram.stops();
-    next = std::numeric_limits<double>::infinity();
-    if constexpr (requires(Diagram & d) { d.next_edge(); }) next = moving_.diagram.next_edge();
+    if constexpr (requires(Diagram & d) { d.next_edge(); }) moving_.edge = moving_.diagram.next_edge();
+    next = moving_.edge;
     return Status::ok;
   }
   Status leave_event() override {

@@ -165,7 +165,10 @@ double evaluate(const Program& program, const Variable& variable) {
       stack.push(program.numbers[instruction->index].value);
     } else if (instruction->operation) {
       stack.operate(*instruction);
-    } else if (instruction->kind != Instruction::Kind::branch || stack.pop() == 0.0) {
+    } else if (instruction->kind == Instruction::Kind::strict_branch && std::isnan(stack.last)) {
+      instruction = first + first[instruction->index].index;  // behind the second value
+    } else if (instruction->kind == Instruction::Kind::jump ||
+               instruction->kind == Instruction::Kind::choice || stack.pop() == 0.0) {
       instruction = first + instruction->index;
     }
   }
@@ -183,6 +186,17 @@ Expression Expression::hiding_constants(std::string_view text,
                                         const std::function<bool(std::string_view)>& hides) {
   Expression result("0");
   result.program_ = std::make_shared<Program>(translate(text, nullptr, Values::numbers, hides));
+  return result;
+}
+
+Expression Expression::strict() const {
+  Program program = *program_;
+  for (Instruction& instruction : program.code) {
+    instruction.operation = expression::strict(instruction.operation);
+    if (instruction.kind == Instruction::Kind::branch) instruction.kind = Instruction::Kind::strict_branch;
+  }
+  Expression result = *this;
+  result.program_ = std::make_shared<const Program>(std::move(program));
   return result;
 }
 

@@ -60,6 +60,10 @@ class Expression {
   static Expression hiding_constants(std::string_view text,
                                      const std::function<bool(std::string_view)>& hides);
 
+  /// Returns the same formula for numbers that may be missing: a comparison, truth, choice, least or greatest
+  /// of nan is nan, unless the other operand of && or || decides.
+  Expression strict() const;
+
   const std::string& text() const;
   /// Returns the names used, in order of first appearance.
   const std::vector<std::string>& variables() const;

@@ -68,7 +68,7 @@ class MakeMeasure {
     const Binding binding = operation.binding;
     if (!operation.value) return of_matrices(operation.name, values);
     if (binding == Binding::atom) return call(operation.name, values, place);
-    if (binding == Binding::either || binding == Binding::both || &operation == &negation) return truth;
+    if (binding == Binding::either || binding == Binding::both || operation.name == "!") return truth;
     Piece result = unit_of(operation, values, place);
     result.number = folded(operation, values);
     return binding == Binding::comparison ? truth : result;
@@ -92,7 +92,10 @@ class MakeMeasure {
       refuse_factor(a, values[1], place);
       return product(operation.name, a, values[1]);
     }
-    if (operation.binding == Binding::power) return to_the(a, values[1]);
+    if (operation.binding == Binding::power) {
+      require_pure_number("the exponent of '^'", values[1], place);
+      return to_the(a, values[1]);
+    }
     if (operation.binding == Binding::comparison) refuse_meanings(a, values[1], operation.name, place);
     Piece joined = join(a, values[1], operation.name, place);
     if (operation.binding == Binding::sum && mix_rates(a, values[1]))
@@ -182,7 +185,8 @@ class MakeMeasure {
     if (function == "abs") return {first.measure, first.bare};
     if (function == "sqrt") return to_the(first, {{}, true, 0.5});
     if (function == "cbrt") return to_the(first, {{}, true, 1.0 / 3.0});
-    require_pure_number(function, first, place);
+    if (!is_one_of(function, {"floor", "ceil", "round"}))  // these allow every unit
+      require_pure_number(fmt::format("'{}'", function), first, place);
     return of_a_pure_number(first);
   }
 
@@ -235,17 +239,15 @@ class MakeMeasure {
     return {{unit::power(*dimension, *b.number), a.measure.sure}};
   }
 
-  /// Throws ExpressionError where sin, exp and similar functions have a value with a unit such as a length.
-  /// Times are allowed, see of_a_pure_number(); logarithms and roundings allow every unit.
-  static void require_pure_number(std::string_view function, const Piece& value, std::size_t place) {
+  /// Throws ExpressionError where a pure number is needed and the value has a unit such as a length. Times
+  /// are allowed, see of_a_pure_number().
+  static void require_pure_number(std::string_view what, const Piece& value, std::size_t place) {
     const Measure& measure = value.measure;
-    const bool takes_all =
-        !is_one_of(function, {"sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp"});
-    if (takes_all || value.bare || !measure.sure || !measure.dimension) return;
+    if (value.bare || !measure.sure || !measure.dimension) return;
     if (*measure.dimension == unit::Dimension{} || *measure.dimension == unit::Dimension{{0, 0, 1}}) return;
     throw ExpressionError(
-        fmt::format("'{}' takes a pure number, and this one is in {}; divide it by a value of that unit",
-                    function, unit::si_name(*measure.dimension)),
+        fmt::format("{} takes a pure number, and this one is in {}; divide it by a value of that unit", what,
+                    unit::si_name(*measure.dimension)),
         place);
   }
 

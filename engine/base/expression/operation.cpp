@@ -93,6 +93,48 @@ constexpr std::array matrix_functions{
     of_matrices("dlqr", 4, 4),      of_matrices("kalman", 4, 4), of_matrices("dkalman", 4, 4),
     of_matrices("place", 3, 3)};
 
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+bool any_undefined(const double* v, int count) {
+  return std::any_of(v, v + count, [](double value) { return std::isnan(value); });
+}
+
+template <double (*f)(const double*, int)>
+double of_defined(const double* v, int count) {
+  return any_undefined(v, count) ? undefined : f(v, count);
+}
+
+template <class Of>
+constexpr Operation of_defined_pair(std::string_view sign) {
+  return {sign, Binding::comparison, 2, 2, [](const double* v, int count) -> double {
+            return any_undefined(v, count) ? undefined : Of()(v[0], v[1]);
+          }};
+}
+
+/// And (decided by 0) or or (decided by any other number).
+template <bool decided>
+double logic(const double* v, int count) {
+  for (int i = 0; i < count; ++i)
+    if (!std::isnan(v[i]) && (v[i] != 0.0) == decided) return decided;
+  return any_undefined(v, count) ? undefined : !decided;
+}
+
+constexpr std::array strict_operations{
+    Operation{"||", Binding::either, 2, 2, logic<true>},
+    Operation{"&&", Binding::both, 2, 2, logic<false>},
+    of_defined_pair<std::less_equal<>>("<="),
+    of_defined_pair<std::greater_equal<>>(">="),
+    of_defined_pair<std::equal_to<>>("=="),
+    of_defined_pair<std::not_equal_to<>>("!="),
+    of_defined_pair<std::less<>>("<"),
+    of_defined_pair<std::greater<>>(">"),
+    Operation{"!", Binding::prefix, 1, 1,
+              [](const double* v, int) -> double { return std::isnan(v[0]) ? undefined : v[0] == 0.0; }},
+    Operation{"sign", Binding::atom, 1, 1,
+              [](const double* v, int) { return std::isnan(v[0]) ? undefined : language::sign(v[0]); }},
+    Operation{"min", Binding::atom, 2, any_number, of_defined<language::smallest>},
+    Operation{"max", Binding::atom, 2, any_number, of_defined<language::largest>}};
+
 template <class Operations>
 const Operation* find(const Operations& among, std::string_view name) {
   const auto found = std::ranges::find(among, name, &Operation::name);
@@ -117,6 +159,11 @@ std::vector<std::string> function_names() {
   std::vector<std::string> names;
   for (const Operation& function : functions) names.emplace_back(function.name);
   return names;
+}
+
+const Operation* strict(const Operation* operation) {
+  const Operation* found = operation ? find(strict_operations, operation->name) : nullptr;
+  return found ? found : operation;
 }
 
 const Operation* find_matrix_function(std::string_view name) {

@@ -29,6 +29,9 @@ const Operation* find_function(std::string_view name);
 std::vector<std::string> function_names();
 /// Returns the matrix function of that name; nullptr if there is none.
 const Operation* find_matrix_function(std::string_view name);
+/// Returns the same operation for values of which some are not defined (nan): no comparison, truth, least or
+/// greatest of such a value is defined, unless the other operand of && or || decides.
+const Operation* strict(const Operation* operation);
 extern const Operation brackets;  ///< [a, b, ..]
 
 }  // namespace stepwire::expression

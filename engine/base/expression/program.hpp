@@ -17,7 +17,19 @@ inline constexpr std::size_t longest_text = 5000;
 /// condition, branch, first value, jump, second value, choice. The branch and the jump replace nothing.
 /// Arithmetic has kinds of its own, since a call is slower.
 struct Instruction {
-  enum class Kind { variable, number, sum, difference, product, quotient, operation, branch, jump, choice };
+  enum class Kind {
+    variable,
+    number,
+    sum,
+    difference,
+    product,
+    quotient,
+    operation,
+    branch,
+    jump,
+    choice,
+    strict_branch  ///< a branch whose choice is nan where its condition is nan
+  };
   Kind kind;
   int count = 0;
   /// Operand: of a variable or number its index, of an operation its position in the text. Of a branch or

@@ -40,6 +40,7 @@ struct Draft {
     bool before_guards = false;  ///< It acts first with the previous states of the guards as well.
     bool updates_at_events = false;
     bool for_left = false;  ///< An update just before an instant depends on its outputs.
+    bool between = false;   ///< An external solver computes it between instants.
     bool on_sides = false;  ///< It is computed for a row just before an instant, or at the end of a run.
     std::vector<Eigen::Index> output_sizes, state_sizes, input_sizes;
     std::vector<Eigen::Index> output_columns, state_columns;  ///< columns of matrices; 1 for vectors

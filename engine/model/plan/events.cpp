@@ -194,6 +194,13 @@ void find_sides(Draft& draft) {
                                &draft.type(b) != &diagram::guard_type();
 }
 
+/// Marks what an external solver computes between instants: all but outputs that are constant there.
+void find_between(Draft& draft) {
+  for (std::size_t b = 0; b < draft.blocks.size(); ++b)
+    draft.blocks[b].between =
+        draft.blocks[b].computes && !(draft.is_steady(b) && draft.blocks[b].crossings > 0);
+}
+
 void find_lefts(Draft& draft) {
   Upstream upstream(draft, &Draft::Block::for_left);
   for (std::size_t b = 0; b < draft.blocks.size(); ++b)
@@ -208,6 +215,7 @@ void find_events(Draft& draft, const CallOrder& order) {
   if (draft.plan.records_instants() || may_end(draft)) find_sides(draft);
   if (!draft.diagram().events.locate) return;
   EventPlan(draft).run();
+  find_between(draft);
   if (!draft.plan.jumps) AheadBlocks(draft, order).run();
 }
 

@@ -195,6 +195,8 @@ struct Plan {
   /// the run.
   std::vector<KernelCall> sides;
   std::vector<LoopCall> side_loops;
+  /// Outputs for an external solver between instants: blocks with crossings keep their branch.
+  std::vector<KernelCall> between;
   /// Updates of blocks that read their inputs just before each instant, and outputs that these inputs depend
   /// on.
   std::vector<KernelCall> left_updates, lefts;

@@ -92,8 +92,9 @@ struct OutputTable {
   std::vector<KernelCall>& calls;
   std::vector<LoopCall>& loops;
   bool (*has)(const Draft::Block& block);  ///< membership of a block neither constant nor timed
-  bool at_instants = false;                ///< for ticks and events instead of stages between them
-  std::size_t closed = 0;                  ///< number of calls that must not be extended
+  /// True for a block that this table calls as at ticks and events, instead of stages between them.
+  bool (*at_instants)(const Draft::Block& block) = [](const Draft::Block&) { return false; };
+  std::size_t closed = 0;  ///< number of calls that must not be extended
 
   void close() { closed = calls.size(); }
 };
@@ -128,9 +129,10 @@ class OutputTables {
   }
   void append(OutputTable& table, std::size_t block) {
     const BlockType& type = draft_.type(block);
-    const bool at_instant = table.at_instants && draft_.blocks[block].differs_at_instants;
-    plan::append(table.calls, draft_, block, at_instant ? type.run_outputs_at_instant : type.run_outputs,
-                 table.closed, table.at_instants && follows_state(block));
+    const bool at_instant = table.at_instants(draft_.blocks[block]);
+    const bool differs = at_instant && draft_.blocks[block].differs_at_instants;
+    plan::append(table.calls, draft_, block, differs ? type.run_outputs_at_instant : type.run_outputs,
+                 table.closed, at_instant && follows_state(block));
   }
 
   /// True where outputs depend on states alone: these exist before the first run.
@@ -176,22 +178,26 @@ class OutputTables {
   static bool starts_crossings(const Draft::Block& block) { return block.for_crossings && !block.in_stages; }
   static bool at_events(const Draft::Block& block) { return block.at_events; }
   static bool on_sides(const Draft::Block& block) { return block.on_sides; }
+  static bool between(const Draft::Block& block) { return block.between; }
+  static bool has_no_crossing(const Draft::Block& block) { return block.crossings == 0; }
   static bool for_left(const Draft::Block& block) { return block.for_left; }
   static bool before_guards(const Draft::Block& block) { return block.before_guards; }
 
   Draft& draft_;
   Plan& plan_ = draft_.plan;
-  OutputTable tables_[12] = {{plan_.once, plan_.once_loops, never},
+  std::vector<LoopCall> no_loops_;  ///< Diagrams with loops have no external solver.
+  OutputTable tables_[13] = {{plan_.once, plan_.once_loops, never},
                              {plan_.timed, plan_.timed_loops, never},
-                             {plan_.outputs, plan_.output_loops, always, true},
+                             {plan_.outputs, plan_.output_loops, always, always},
                              {plan_.stage, plan_.stage_loops, in_stages},
                              {plan_.ahead, plan_.ahead_loops, ahead},
-                             {plan_.rest, plan_.rest_loops, has_ahead() ? not_ahead : never, true},
+                             {plan_.rest, plan_.rest_loops, has_ahead() ? not_ahead : never, always},
                              {plan_.crossing_outputs, plan_.crossing_loops, for_crossings},
                              {plan_.crossing_starts, plan_.crossing_start_loops, starts_crossings},
-                             {plan_.event_outputs, plan_.event_loops, at_events, true},
-                             {plan_.event_befores, plan_.event_before_loops, before_guards, true},
+                             {plan_.event_outputs, plan_.event_loops, at_events, always},
+                             {plan_.event_befores, plan_.event_before_loops, before_guards, always},
                              {plan_.sides, plan_.side_loops, on_sides},
+                             {plan_.between, no_loops_, between, has_no_crossing},
                              {plan_.lefts, plan_.left_loops, for_left}};
   OutputTable &once_ = tables_[0], &timed_ = tables_[1];
 };

@@ -39,12 +39,19 @@ const diagram::DiagramBlock* first_that_remembers(const plan::Plan& plan) {
   return nullptr;
 }
 
-/// Placeholders: place of the first state, place of the first derivative, further members.
+constexpr char between_member[] =
+    "  /// The same between two events, with the branches of the last evaluate_at(). A source that jumps at "
+    "`edge` [s]\n"
+    "  /// has not jumped yet.\n"
+    "  void evaluate_between(double time, double edge);\n";
+
+/// Placeholders: place of the first state, place of the first derivative, count of states, further members,
+/// evaluation between events.
 constexpr char members_form[] =
     "  /// For a solver of others: computes outputs and slopes for any time [s], with the inputs, and with "
     "the\n"
     "  /// continuous states that stand in their place.\n"
-    "  void evaluate_at(double time);\n"
+    "  void evaluate_at(double time);\n{4}"
     "  /// Lets blocks look at what has become of a whole step, after evaluate_at().\n"
     "  void complete_step();\n"
     "  static constexpr int state_count = {2};\n"
@@ -86,10 +93,10 @@ std::string between_ticks_members(const plan::Plan& plan) {
           ? ""
           : "  /// When a source jumps or bends next [s], after evaluate_at().\n  double next_edge();\n";
   return fmt::format(members_form, plan.layout.states, plan.layout.derivatives, plan.layout.state_count,
-                     crossings + edges);
+                     crossings + edges, plan.between.empty() ? "" : between_member);
 }
 
-std::string evaluate_here_text(const plan::Plan& plan) {
+std::string slopes_of_evaluation(const plan::Plan& plan) {
   return plan.layout.state_count == 0 ? "" : "  derivatives(w, numbers, w + first_derivative);\n";
 }
 
@@ -103,11 +110,18 @@ std::string between_ticks_definitions(const plan::Plan& plan, const std::string&
       plan.edges.empty()
           ? ""
           : fmt::format("double Diagram::next_edge() {{\n  return ::next_edge(w_, {}, 0);\n}}\n\n", numbers);
-  return fmt::format(
-             "void Diagram::evaluate_at(double time) {{\n{1}  w_[{2}] = time;\n  evaluate_here(w_, "
-             "{0});\n{3}}}\n\n"
-             "void Diagram::complete_step() {{\n  ::update(w_, {0}, 0);\n}}\n\n",
-             numbers, before, plan::Layout::time, after) +
+  const auto evaluation = [&](const char* head, const std::string& time, const char* function) {
+    return fmt::format("void Diagram::{} {{\n{}  w_[{}] = {};\n  {}(w_, {});\n{}}}\n\n", head, before,
+                       plan::Layout::time, time, function, numbers, after);
+  };
+  const std::string between =
+      plan.between.empty()
+          ? ""
+          : evaluation("evaluate_between(double time, [[maybe_unused]] double edge)",
+                       plan.jumps ? "time < edge ? time : solve::left_of(edge, ::step)" : "time",
+                       "::evaluate_between");
+  return evaluation("evaluate_at(double time)", "time", "::evaluate_here") + between +
+         fmt::format("void Diagram::complete_step() {{\n  ::update(w_, {}, 0);\n}}\n\n", numbers) +
          crossings + edges;
 }
 

@@ -13,8 +13,8 @@ std::string why_ticks_only(const plan::Plan& plan);
 /// Returns the members of the struct for external solvers.
 std::string between_ticks_members(const plan::Plan& plan);
 
-/// Returns the statements of evaluate_here() after its outputs.
-std::string evaluate_here_text(const plan::Plan& plan);
+/// Returns the statements of an evaluation after its outputs.
+std::string slopes_of_evaluation(const plan::Plan& plan);
 
 /// Returns the definitions of these members. `numbers` are those that blocks read; `before` and `after`
 /// enclose every evaluation.

@@ -216,17 +216,24 @@ class Maker {
                     plan_.rest.empty() ? "" : "  w[" + ahead_place() + "] = 0.0;\n"));
   }
 
-  /// Adds evaluate_here(). Diagnostics that blocks raise in it are valid for this evaluation only.
+  /// Adds the evaluations for external solvers.
   void add_between_ticks() {
+    add_evaluation("here", plan_.outputs);
+    if (!plan_.between.empty()) add_evaluation("between", plan_.between);
+  }
+
+  /// Adds a function that computes these outputs and the derivatives. Diagnostics that blocks raise in it are
+  /// valid for this evaluation only.
+  void add_evaluation(const std::string& name, const std::vector<plan::KernelCall>& outputs) {
     std::vector<Code> code{{plan_.timed.empty() ? "" : "  follow_time(w, numbers);\n"}};
-    append(code, outputs_of(plan_.outputs));
-    functions_.add("outputs_here", state_parameters(), state_arguments, code);
+    append(code, outputs_of(outputs));
+    functions_.add("outputs_" + name, state_parameters(), state_arguments, code);
     functions_.add_text(
-        fmt::format("inline void evaluate_here(double* w, const double* numbers) {{\n"
+        fmt::format("inline void evaluate_{3}(double* w, const double* numbers) {{\n"
                     "  for (int i = {0}; i < {1}; ++i) w[i] = Diagnostic::never;\n"
-                    "  outputs_here(w, numbers, 0);\n{2}}}\n\n",
+                    "  outputs_{3}(w, numbers, 0);\n{2}}}\n\n",
                     plan_.layout.diagnostics, plan_.layout.diagnostics + plan_.layout.diagnostic_count,
-                    evaluate_here_text(plan_)));
+                    slopes_of_evaluation(plan_), name));
   }
 
   void add_lanes() {

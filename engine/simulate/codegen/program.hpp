@@ -29,6 +29,8 @@ struct GeneratedProgram {
 ///
 ///     void evaluate_here(double* w, const double* numbers)   outputs and derivatives at the time and states
 ///     in w
+///     void evaluate_between(double* w, const double* numbers)   the same with the branches of the last
+///     evaluate_here(); it exists where branches are events
 GeneratedProgram make_program(const plan::Plan& plan, const Tuning& tuning = {}, bool between_ticks = false);
 
 /// Generates the steps only, for runs that begin in the interpreter: without reset(), and with the `variable`

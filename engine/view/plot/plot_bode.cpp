@@ -34,9 +34,11 @@ void add_response(const std::vector<double>& x, const std::vector<double>& y, co
   plot.add(LineMark{{{x, y, {}, {}}}, {curve_color(run), 1.8}, 0.0, legend});
 }
 
-/// Writes a text beside a margin, on the side with space.
-void add_text(const std::string& text, double x, double y, PlotBuilder& plot) {
-  const bool left = std::log(x / plot.x.low) > 0.8 * std::log(plot.x.high / plot.x.low);
+/// Writes a text beside the line of a margin. A falling curve is at the right of the line below its point
+/// there, and at the left above it: the other side is free, unless the picture ends there.
+void add_text(const std::string& text, double x, double y, bool below_curve, PlotBuilder& plot) {
+  const double part = std::log(x / plot.x.low) / std::log(plot.x.high / plot.x.low);
+  const bool left = part > 0.8 || (below_curve && part > 0.2);
   plot.spec.texts.push_back({.text = text,
                              .x = x,
                              .y = y,
@@ -76,7 +78,7 @@ void draw_magnitude(const Panel& panel, std::span<const record::Recording> recor
     const double margin = rows.number("margin.gain_db", run), at = rows.number("margin.gain_frequency", run);
     if (rows.runs() > 1 || !std::isfinite(margin) || !(at > 0.0) || std::isinf(at)) continue;
     plot.add(segment(at, -margin, 0.0, margin_line));
-    add_text(fmt::format("{} dB", query::short_number(margin, 3)), at, -0.5 * margin, plot);
+    add_text(fmt::format("{} dB", query::short_number(margin, 3)), at, -0.5 * margin, margin < 0.0, plot);
   }
   finish("gain", "dB", 0.0, {1.0, 2.0, 5.0, 10.0, 20.0, 40.0, 60.0, 100.0}, plot);
 }
@@ -97,7 +99,8 @@ void draw_phase(const Panel& panel, std::span<const record::Recording> recording
     while (row + 1 < frequency.size() && frequency[row] < at) ++row;
     level += 360.0 * std::round((phase[row] - margin - level) / 360.0);
     plot.add(segment(at, level, level + margin, margin_line));
-    add_text(fmt::format("{} deg", query::short_number(margin, 3)), at, level + 0.5 * margin, plot);
+    add_text(fmt::format("{} deg", query::short_number(margin, 3)), at, level + 0.5 * margin, margin > 0.0,
+             plot);
   }
   finish("phase", "deg", level, {1.0, 5.0, 15.0, 45.0, 90.0, 180.0, 360.0, 720.0, 3600.0}, plot);
 }

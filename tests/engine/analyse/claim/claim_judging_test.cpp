@@ -218,6 +218,30 @@ TEST_CASE("a comparison with an undefined number is neither true nor false") {
   CHECK(verdict_of("fraction: rig.x > 1 m, where: time >= 0 s && rig.x > 0 m, equals: 1", one).holds);
 }
 
+TEST_CASE("no claim holds by a root of a negative number in a comparison, a choice or a truth") {
+  const auto negative = record_of({0, 1, 2}, {-1, -2, -3});
+  for (const std::string text :
+       {"fraction: sqrt(rig.x/1 m) > -1, at_most: 0.1", "count: log(rig.x/1 m) > -1, equals: 0",
+        "final: sqrt(rig.x/1 m) < 1 ? 1 : 0, equals: 0", "final: sqrt(rig.x/1 m) != 3, equals: 1",
+        "max: min(sqrt(rig.x/1 m), 1), at_most: 2", "fraction: !(sqrt(rig.x/1 m) > 1), equals: 1",
+        "fraction: rig.x < 0 m && sqrt(rig.x/1 m) < 2, equals: 0"}) {
+    INFO(text);
+    CHECK_FALSE(verdict_of(text, negative).holds);
+  }
+  CHECK(verdict_of("fraction: rig.x > 0 m && sqrt(rig.x/1 m) < 2, equals: 0", negative).holds);
+  CHECK(verdict_of("fraction: rig.x < 0 m || sqrt(rig.x/1 m) < 2, equals: 1", negative).holds);
+}
+
+TEST_CASE("a value at a time is that of the last row there; between two rows a run has none") {
+  const auto records = record_of({0.0, 0.3, 0.6, 0.6, 0.9}, {0, 3, 6, 60, 9});
+  CHECK(verdict_of("at: {time: 0.3 s, value: rig.x}, equals: 3 m", records).value == 3.0);
+  CHECK(verdict_of("at: {time: 3*0.3 s, value: rig.x}, equals: 9 m", records).value == 9.0);
+  CHECK(verdict_of("at: {time: 0.6 s, value: rig.x}, equals: 60 m", records).value == 60.0);
+  const Verdict between = verdict_of("at: {time: 0.5 s, value: rig.x}, equals: 6 m", records);
+  CHECK_FALSE(between.holds);
+  CHECK(between.note == "there is no row at 0.5 s; the nearest ones are at 0.3 s and 0.6 s");
+}
+
 TEST_CASE("a claim that is known not to hold surprises when it holds") {
   const auto records = record_of({0, 1}, {2, 3});
   const Verdict known = verdict_of("max: rig.x, at_most: 1, disagrees: too strong", records);

@@ -24,6 +24,7 @@ TEST_CASE("the condition of a claim is told as text") {
         "max abs(rig.x) <= 2 mm where rig.x > -4 mm && time > 1");
   CHECK(check_of("final: rig.x, equals: 2/3, within: 1e-3") == "final rig.x = 2/3 within 1e-3 m");
   CHECK(check_of("final: rig.x, equals: 2") == "final rig.x = 2 m");
+  CHECK(check_of("max: current, at_most: = 2*$limit") == "max current <= 2*$limit");
   CHECK(check_of("final: rig.x/rig.x, equals: 2") == "final rig.x/rig.x = 2");
   CHECK(check_of("max: rig.x, between: [1, 2 m]") == "max rig.x between 1 m and 2 m");
   CHECK(check_of("at: {time: 2 s, value: rig.x}, between: [1 mm, 2 mm]") ==

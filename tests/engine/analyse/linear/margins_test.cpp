@@ -111,6 +111,34 @@ TEST_CASE("the gain at rest of what integrates is infinite") {
   CHECK(gain_at_rest(lags(3, 1e-3, 7.0)) == Approx(7.0));
 }
 
+TEST_CASE("a zero at rest cancels a pole there whose coefficients are rounded") {
+  // b(z)/((z - 1)(z - p)) with b(1) = 0: the gain at rest is b'(1)/(1 - p).
+  for (const double p : {0.9, 0.7, 0.3, 0.95}) {
+    Eigen::MatrixXd A(2, 2);
+    A << 1.0 + p, -p, 1.0, 0.0;
+    const Eigen::MatrixXd B = Eigen::Vector2d(1.0, 0.0);
+    const auto rest = [&](double first, double second) {
+      return gain_at_rest(system_of(A, B, Eigen::RowVector2d(first, second), 0.01));
+    };
+    INFO(p);
+    CHECK(rest(0.3, -0.3) == Approx(0.3 / (1.0 - p)).epsilon(1e-6));
+    CHECK(rest(-1.7, 1.7) == Approx(-1.7 / (1.0 - p)).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("a zero at rest cancels a pole of a system of fourth order, too") {
+  // (z - 1)(0.909 z^2 + ..)/((z - 1)(z - 0.958)(..)) with rounded coefficients; its limit is that of
+  // fractions of these doubles at 1 + 1e-9: 47.6707.
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(4, 4);
+  A.row(0) << 2.3091983805316456, -1.8295504351427985, 0.6967049880840206, -0.1763529334728676;
+  A.block(1, 0, 3, 3).setIdentity();
+  Eigen::VectorXd B = Eigen::VectorXd::Zero(4);
+  B[0] = 1.0;
+  const Eigen::RowVector4d C(0.9090667046998979, -0.32441410034919377, -0.4194035616675335,
+                             -0.16524904268317062);
+  CHECK(gain_at_rest(system_of(A, B, C, 0.002)) == Approx(47.6707).epsilon(1e-5));
+}
+
 TEST_CASE("the gain at rest is the limit where poles there are double, slow or cancel") {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   // (0.1 z + 0.05)/(z - 1)^2, and its negative.

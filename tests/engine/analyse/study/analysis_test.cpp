@@ -73,7 +73,9 @@ TEST_CASE("a table of variances has its lines, its design and its warnings") {
   CHECK_THAT(json, Contains("\"name\":\"haptic\"") && Contains("\"degrees_of_freedom\":37.0") &&
                        Contains("\"balanced\":true"));
   CHECK_THAT(text::text(anova_table(*analyse(errors_of("2", task_2), six_conditions()).repeated, "Task 2")),
-             Contains("P (GG)"));
+             Contains("P (GG)") && Contains("P (HF)"));
+  CHECK_THAT(anova_json(*analyse(errors_of("2", task_2), six_conditions()).repeated).text(-1),
+             Contains("\"epsilon_greenhouse_geisser\":") && Contains("\"P_huynh_feldt\":"));
 }
 
 TEST_CASE("the errors of every condition are summed up in one line") {

@@ -50,6 +50,9 @@ TEST_CASE("the unit of an expression follows from those of its variables and num
 TEST_CASE("a length has neither a sine nor an exponential, a time may stand for a pure number") {
   CHECK_THAT(refusal("sin(a)", {metre}), Catch::Contains("'sin' takes a pure number, and this one is in m"));
   CHECK_THAT(refusal("2 + exp(1 N)", {}), Catch::Contains("'exp' takes a pure number"));
+  for (const std::string logarithm : {"log", "log2", "log10"})
+    CHECK_THAT(refusal(logarithm + "(a)", {metre}), Catch::Contains("'" + logarithm + "' takes a pure number"));
+  CHECK_THAT(refusal("2^a", {metre}), Catch::Contains("the exponent of '^' takes a pure number"));
   CHECK_FALSE(found("exp(-a)", {second}));
   CHECK_FALSE(found("round(a)", {metre}));
 }
