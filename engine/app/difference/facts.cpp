@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 #include "engine/app/difference/notation.hpp"
 #include "engine/app/reference/sections.hpp"
@@ -227,8 +228,8 @@ class FactReader::Reading {
   }
 
   static bool is_bus(const yaml::Node& map, const FormList& forms) {
-    return !map.find("block") && !map.find("diagram") &&
-           std::ranges::any_of(forms, [](auto* form) { return language::is_block_form(*form); });
+    return std::ranges::any_of(forms, [](auto* form) { return language::is_block_form(*form); }) &&
+           !map.find("block") && !map.find("diagram");
   }
 
   Fact scalar(const yaml::Node& node, const FormList& forms, bool literal) {
@@ -294,8 +295,20 @@ std::string FactReader::default_of(const Fact& block, const std::string& paramet
 
 const Fact* Fact::find(std::string_view name) const {
   const auto found =
-      std::ranges::find_if(parts, [&](const Fact& part) { return unmarked(part.key) == name; });
+      std::ranges::find_if(parts, [&](const Fact& part) { return is_unmarked(part.key, name); });
   return found == parts.end() ? nullptr : &*found;
+}
+
+PartsByKey::PartsByKey(const Fact& map) : map_(map) {
+  constexpr std::size_t few_parts = 16;
+  if (map.parts.size() <= few_parts) return;
+  for (const Fact& part : map.parts) parts_.emplace(unmarked(part.key), &part);
+}
+
+const Fact* PartsByKey::find(const std::string& name) const {
+  if (parts_.empty()) return map_.find(name);
+  const auto found = parts_.find(name);
+  return found == parts_.end() ? nullptr : found->second;
 }
 
 void join_parts(Fact& fact) {
@@ -330,17 +343,29 @@ static std::string renamed_behind(std::string text, const std::string& block, co
   return text;
 }
 
-void rename_inside(Fact& fact, const std::string& block, const NewNames& names) {
-  const bool is_user = fact.key == block && fact.find("diagram");
-  fact.key = renamed_behind(fact.key, block, names);
+/// Returns a canonical text with new names behind those of all these blocks.
+static std::string renamed_behind(std::string text, const NamesInside& inside) {
+  const std::vector<std::string> blocks = names_in(text, NameKind::block);
+  for (const std::string& block : std::set(blocks.begin(), blocks.end())) {
+    const auto found = inside.find(marked(NameKind::block, block));
+    if (found != inside.end()) text = renamed_behind(std::move(text), found->first, found->second);
+  }
+  return text;
+}
+
+void rename_inside(Fact& fact, const NamesInside& inside) {
+  const auto used = fact.find("diagram") ? inside.find(fact.key) : inside.end();
+  fact.key = renamed_behind(fact.key, inside);
   for (Fact& part : fact.parts) {
-    for (const NameKind kind : {NameKind::input, NameKind::parameter})
-      if (const auto found = names.find({kind, part.key}); is_user && found != names.end())
+    for (const NameKind kind : {NameKind::input, NameKind::parameter}) {
+      if (used == inside.end()) break;
+      if (const auto found = used->second.find({kind, part.key}); found != used->second.end())
         part.key = found->second;
-    rename_inside(part, block, names);
+    }
+    rename_inside(part, inside);
   }
   if (fact.kind == Fact::Kind::value)
-    fact.canonical = renamed_behind(fact.canonical, block, names);
+    fact.canonical = renamed_behind(fact.canonical, inside);
   else
     join_parts(fact);
 }
