@@ -12,7 +12,7 @@
 #include <functional>
 #include <ranges>
 #include <set>
-#include <tuple>
+#include <string>
 #include <unordered_map>
 
 namespace stepwire::difference {
@@ -66,7 +66,7 @@ class FeatureNumbers {
 /// Name without a partner.
 struct OpenName {
   Name name;
-  std::string type{};                ///< Of a block.
+  std::size_t group = 0;             ///< Number of its kind and type.
   std::vector<std::size_t> lines{};  ///< Facts that contain it.
   Features features{};
   bool is_open = true;
@@ -80,7 +80,9 @@ class Unmatched {
     for (const auto& [name, fact] : definitions(other)) known.insert(name);
     for (const auto& [name, fact] : definitions(root)) {
       if (known.contains(name) || !index_.emplace(name, names_.size()).second) continue;
-      names_.push_back({.name = name, .type = name.first == NameKind::block ? type_of(*fact) : ""});
+      const std::string type = name.first == NameKind::block ? type_of(*fact) : "";
+      const std::size_t group = numbers.of(std::to_string(static_cast<int>(name.first)) + " " + type);
+      names_.push_back({.name = name, .group = group});
     }
     if (!names_.empty()) walk(root, "");
     for (OpenName& one : names_) count_features(one);
@@ -157,6 +159,7 @@ class Similarities {
       : after_(after), numbers_(numbers) {
     for (std::size_t i = 0; i < after.size(); ++i) {
       totals_.push_back(numbers.total(after[i]->features));
+      groups_.push_back(after[i]->group);
       for (const auto& [feature, count] : after[i]->features) users_[feature].emplace_back(i, count);
     }
   }
@@ -171,7 +174,7 @@ class Similarities {
     const double own = numbers_.total(name.features);
     for (std::size_t i = 0; i < similar.size(); ++i) {
       if (similar[i] == 0.0) continue;
-      const bool fits = name.name.first == after_[i]->name.first && name.type == after_[i]->type;
+      const bool fits = name.group == groups_[i];
       similar[i] = fits ? similar[i] / std::max(own, totals_[i]) : 0.0;
     }
     return similar;
@@ -181,6 +184,7 @@ class Similarities {
   const std::vector<const OpenName*>& after_;
   const FeatureNumbers& numbers_;
   std::vector<double> totals_;
+  std::vector<std::size_t> groups_;
   std::unordered_map<std::size_t, std::vector<std::pair<std::size_t, int>>> users_;
 };
 
@@ -226,13 +230,12 @@ class Round {
  private:
   /// Returns pairs that share all features; of few names the first one.
   NewNames equal_pairs() const {
-    std::map<std::tuple<NameKind, std::string, Features>, std::vector<const OpenName*>> others;
+    std::map<std::pair<std::size_t, Features>, std::vector<const OpenName*>> others;
     for (const OpenName* other : std::ranges::reverse_view(after_))
-      if (!other->features.empty())
-        others[{other->name.first, other->type, other->features}].push_back(other);
+      if (!other->features.empty()) others[{other->group, other->features}].push_back(other);
     NewNames pairs;
     for (const OpenName* name : before_) {
-      const auto found = others.find({name->name.first, name->type, name->features});
+      const auto found = others.find({name->group, name->features});
       if (found == others.end() || found->second.empty()) continue;
       pairs[name->name] = found->second.back()->name.second;
       found->second.pop_back();
