@@ -12,14 +12,37 @@ namespace {
 
 constexpr double least_shared = 0.5;  // of two claims or figures that count as one
 
+constexpr std::size_t most_items =
+    64;  // of two sets within, such as panels, that are compared each with each
+
+double similarity(const Fact& a, const Fact& b);
+
+/// Returns 1 for equal parts of two items, and the mean of the most similar pairs for two sets of panels.
+double shared_part(const Fact& a, const Fact& b) {
+  if (a.key != b.key) return 0.0;
+  if (a.canonical == b.canonical || a.written == b.written) return 1.0;
+  const bool are_sets = a.kind == Fact::Kind::set && b.kind == Fact::Kind::set;
+  const std::size_t count = std::max(a.parts.size(), b.parts.size());
+  if (!are_sets || count > most_items) return 0.0;
+  double sum = 0.0;
+  for (const Fact& item : a.parts) {
+    double most = 0.0;
+    for (const Fact& other : b.parts)
+      most = std::max(most, item.canonical == other.canonical ? 1.0 : similarity(item, other));
+    sum += most;
+  }
+  return sum / static_cast<double>(count);
+}
+
 double similarity(const Fact& a, const Fact& b) {
   if (a.parts.empty() || b.parts.empty()) return 0.0;
-  const auto shared = std::ranges::count_if(a.parts, [&](const Fact& part) {
-    return std::ranges::any_of(b.parts, [&](const Fact& other) {
-      return part.key == other.key && (part.canonical == other.canonical || part.written == other.written);
-    });
-  });
-  return static_cast<double>(shared) / static_cast<double>(std::max(a.parts.size(), b.parts.size()));
+  double shared = 0.0;
+  for (const Fact& part : a.parts) {
+    double most = 0.0;
+    for (const Fact& other : b.parts) most = std::max(most, shared_part(part, other));
+    shared += most;
+  }
+  return shared / static_cast<double>(std::max(a.parts.size(), b.parts.size()));
 }
 
 /// Items that have no partner yet.
