@@ -92,13 +92,19 @@ class FactReader::Reading {
     return fact;
   }
 
+  /// Reads a map that means the same as a value: numbers beside their unit, or a solver by its name alone.
+  std::optional<Fact> value_in_map(const yaml::Node& node, const FormList& forms) {
+    const auto numbers = numbers_with_unit(node, forms);
+    const yaml::Node* solver = only_solver(node, forms);
+    if (!numbers && !solver) return std::nullopt;
+    Fact fact = read(numbers ? *numbers : *solver, forms);
+    if (numbers) forget_nodes(fact);
+    describe(fact, node);
+    return fact;
+  }
+
   Fact map(const yaml::Node& node, const FormList& forms) {
-    if (const auto numbers = numbers_with_unit(node, forms)) {
-      Fact fact = read(*numbers, forms);
-      forget_nodes(fact);
-      describe(fact, node);
-      return fact;
-    }
+    if (auto value = value_in_map(node, forms)) return std::move(*value);
     Fact fact{.kind = Fact::Kind::map};
     describe(fact, node);
     const bool is_block =
