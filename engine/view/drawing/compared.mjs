@@ -152,8 +152,8 @@ function listed(lines) {
 const drawnLine = ({line, fill = ink, style = ""}, y) => text(20, y, line, {size: sizeOfLine, anchor: "start", fill, style});
 
 /**
- * Order of the wires of one source: the first one has the trunk that they share, so it has the look of one that stays. They are
- * drawn in the opposite order, so that a gone wire is below the one in its place.
+ * Order of the wires of one source. The first one has the trunk that they share, so it has the look of one that stays. Gone wires
+ * are drawn before new ones, so that a gone wire is below the one in its place.
  */
 const rank = ({change}) => (change ? (change === "removed" ? 2 : 1) : 0);
 
@@ -169,7 +169,7 @@ export async function drawCompared(compared, elk) {
   const size = {width: Math.max(picture.width + 16, leastWidth, ...lines.map(({line}) => 40 + 6.4 * line.length)), height};
   const drawn = group(`transform="translate(${n(left)} 10)"`, [
     ...pieces.frames.map(({block, svg}) => inColor(svg, block.change)),
-    ...pieces.wires.map(({wire, svg}) => inColor(svg, wire.change)).reverse(),
+    ...[0, 2, 1].flatMap((place) => pieces.wires.filter(({wire}) => rank(wire) === place)).map(({wire, svg}) => inColor(svg, wire.change)),
     pieces.forks,
     ...pieces.blocks.map(({block, svg}) => inColor(svg, block.change)),
     ...picture.wires.map((wire) => signOfWire(wire, othersOf(wire))),
