@@ -156,8 +156,11 @@ void FlatModel::add_block(Instance& instance, const Block& block) {
   const std::string commented = text_of(model_, block, "Commented", "off");
   if (commented == "on")
     return notes_.push_back({NoteKind::differs, instance.path + block.name, "is commented out and left out"});
-  if (commented == "through" && !has_no_counterpart_of_its_own(block.type))
-    return pass_through(instance, block);
+  if (commented == "through") {
+    if (!has_no_counterpart_of_its_own(block.type)) return pass_through(instance, block);
+    notes_.push_back(
+        {NoteKind::deviates, instance.path + block.name, "is commented through in Simulink, and acts here"});
+  }
   if (block.type == "Goto")
     gotos_.emplace(text_of(model_, block, "GotoTag", "A"), std::pair(&instance, &block));
   if (has_no_counterpart_of_its_own(block.type)) return;
