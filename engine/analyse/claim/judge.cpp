@@ -131,7 +131,7 @@ void require_selected(const Claim& claim, const Rows& rows, std::size_t row) {
     throw Unjudged(fmt::format("'{}' does not select the row at {} s", claim.where->text, rows.time[row]));
 }
 
-/// True for the step response of an analysis: a curve, whose rows nobody has chosen.
+/// True for the step response of an analysis, a curve with rows of its own choice.
 bool reads_response(const Claim& claim) {
   return std::ranges::any_of(claim.values.at(0).columns,
                              [](const std::string& name) { return name.ends_with(".step.response"); });

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "engine/analyse/coverage/chart_states.hpp"
 #include "engine/analyse/coverage/table_regions.hpp"
@@ -101,16 +102,14 @@ class CoverageObserver::OfRun : run::SideObserver {
     for (const Table& one : tables_) count_table(one, values);
   }
 
-  /// Returns the conditions. A function that is never negative has its other branch at zero. One that is
-  /// infinite at each tick, as of a limit that is left out, is no condition.
+  /// Returns the conditions. A function that is infinite at each tick, as of a limit that is left out, is no
+  /// condition.
   Coverage finished() {
     std::vector<bool> absent(coverage_.conditions.size(), false);
     for (const Crossings& one : crossings_)
-      for (std::size_t k = 0; k < one.zeros.size(); ++k) {
-        Branch& below = branch(one.condition + k, 1);
-        if (below.ticks == 0) below.ticks = one.zeros[k];
-        absent[one.condition + k] =
-            one.infinite[k] > 0 && below.ticks + branch(one.condition + k, 0).ticks == 0;
+      for (std::size_t k = 0; k < one.infinite.size(); ++k) {
+        const Condition& condition = coverage_.conditions[one.condition + k];
+        absent[one.condition + k] = one.infinite[k] > 0 && condition.covered() == 0 && condition.zeros == 0;
       }
     Coverage found;
     for (std::size_t i = 0; i < absent.size(); ++i)
@@ -145,8 +144,8 @@ class CoverageObserver::OfRun : run::SideObserver {
     bool is_located;
     std::size_t condition = 0;  ///< Index of its first condition, once counted.
     std::vector<double> numbers{};
-    std::vector<std::int64_t> zeros{}, infinite{};  ///< Ticks at which a function is 0 or has no bound.
-    bool counted = false;  ///< The number of functions is known, from the first tick.
+    std::vector<std::int64_t> infinite{};  ///< Ticks at which a function has no bound.
+    bool counted = false;                  ///< The number of functions is known, from the first tick.
   };
   struct Guard {
     std::size_t place, condition;
@@ -174,6 +173,11 @@ class CoverageObserver::OfRun : run::SideObserver {
 
   Branch& branch(std::size_t condition, std::size_t index) {
     return coverage_.conditions[condition].branches[index];
+  }
+
+  /// Counts an instant at which a block with these conditions is computed.
+  void count_instant(std::size_t condition, std::size_t count = 1) {
+    for (std::size_t k = 0; k < count; ++k) ++coverage_.conditions[condition + k].instants;
   }
 
   std::size_t add(std::size_t block, const std::string& what, const std::vector<std::string>& branches) {
@@ -256,16 +260,16 @@ class CoverageObserver::OfRun : run::SideObserver {
     std::size_t count = one.numbers.size();
     while (count > 0 && std::bit_cast<std::uint64_t>(one.numbers[count - 1]) == unwritten) --count;
     one.numbers.resize(count);
-    one.zeros.assign(count, 0);
+    one.infinite.assign(count, 0);
     one.condition = coverage_.conditions.size();
     const diagram::DiagramBlock& block = plan_.diagram.blocks[one.owner];
     std::vector<std::string> docs = docs_of(plan_.blocks[one.owner], block.type());
     if (const auto branches = branches_of_formula(block); branches && *branches < docs.size()) {
-      one.zeros.resize(count / docs.size() * *branches);  // declaration by declaration, the first ones
+      one.infinite.resize(count / docs.size() * *branches);  // declaration by declaration, the first ones
       docs.resize(*branches);
     }
-    one.infinite.assign(one.zeros.size(), 0);
-    for (const std::string& name : names_of(docs, one.zeros.size())) add(one.owner, name, {"above", "below"});
+    for (const std::string& name : names_of(docs, one.infinite.size()))
+      add(one.owner, name, {"above", "below"});
     one.counted = true;
   }
 
@@ -274,9 +278,10 @@ class CoverageObserver::OfRun : run::SideObserver {
     one.type->run_crossings(one.block, one.numbers.data());
     if (!one.counted) count_functions(one);
     if (is_off(one.active, values)) return;
-    for (std::size_t k = 0; k < one.zeros.size(); ++k) {
+    count_instant(one.condition, one.infinite.size());
+    for (std::size_t k = 0; k < one.infinite.size(); ++k) {
       const double number = one.numbers[k];
-      if (number == 0.0) ++one.zeros[k];
+      if (number == 0.0) ++coverage_.conditions[one.condition + k].zeros;
       if (std::isinf(number))
         ++one.infinite[k];
       else if (number != 0.0 && !std::isnan(number))
@@ -285,11 +290,13 @@ class CoverageObserver::OfRun : run::SideObserver {
   }
 
   void count_guard(const Guard& one, const double* values) {
+    count_instant(one.condition);
     ++branch(one.condition, values[one.place] != 0.0 ? 0 : 1).ticks;
   }
 
   void count_constant(Constant& one, const double* values) {
     if (is_off(one.active, values)) return;
+    count_instant(one.condition);
     const double value = values[one.place];
     if (std::isnan(one.first)) one.first = value;
     ++branch(one.condition, value == one.first ? 0 : 1).ticks;
@@ -298,6 +305,7 @@ class CoverageObserver::OfRun : run::SideObserver {
   void count_machine(Machine& one, const double* values) {
     if (is_off(one.active, values)) return;
     const auto state = static_cast<std::size_t>(values[one.place]);
+    count_instant(one.condition, 1 + one.chart.arrows.size());
     if (state >= one.chart.states.size()) return;
     for (std::size_t s = 0; s < one.chart.states.size(); ++s)
       if (one.chart.is_within(state, s)) ++branch(one.condition, s).ticks;
@@ -307,6 +315,7 @@ class CoverageObserver::OfRun : run::SideObserver {
 
   void count_table(const Table& one, const double* values) {
     if (is_off(one.active, values)) return;
+    count_instant(one.condition);
     for (const std::size_t region : one.regions.at(values)) ++branch(one.condition, region).ticks;
   }
 
@@ -353,9 +362,14 @@ void CoverageObserver::end(const run::ObservedRun& run) {
   runs_.erase(run.index);
 }
 
+/// Returns the coverage of all runs. A function that is never negative has its other branch at zero.
 Coverage CoverageObserver::coverage() const {
   const std::lock_guard lock(mutex_);
-  return all_;
+  Coverage found = all_;
+  for (Condition& one : found.conditions)
+    if (one.zeros > 0 && one.branches[0].ticks > 0 && one.branches[1].ticks == 0)
+      one.branches[1].ticks = one.zeros;
+  return found;
 }
 
 std::size_t Condition::covered() const {
@@ -385,17 +399,38 @@ void Coverage::add(const Coverage& other) {
       conditions.push_back(one);
       continue;
     }
+    known->instants += one.instants;
+    known->zeros += one.zeros;
     for (std::size_t i = 0; i < one.branches.size(); ++i) known->branches[i].ticks += one.branches[i].ticks;
   }
 }
 
+/// Returns the lines of the branches of one condition that no run took.
+static std::string missed_text(const Condition& condition) {
+  const std::string begin = fmt::format("    {} ({}): {}: ", condition.block, condition.type, condition.what);
+  if (condition.covered() == 0 && condition.zeros == condition.instants)
+    return begin + "always exactly there, never above or below\n";
+  std::string text;
+  for (const Branch& branch : condition.branches)
+    if (branch.ticks == 0) text += fmt::format("{}never {}\n", begin, branch.name);
+  return text;
+}
+
 std::string coverage_text(const Coverage& coverage) {
+  if (coverage.conditions.empty())
+    return "  coverage: no block that changes during the run has a condition\n";
   std::string text = fmt::format("  coverage: {} of {} branches\n", coverage.covered(), coverage.branches());
+  std::map<std::string, std::size_t> idle;  // branches of blocks that no run computes
   for (const Condition& condition : coverage.conditions)
-    for (const Branch& branch : condition.branches)
-      if (branch.ticks == 0)
-        text += fmt::format("    {} ({}): {}: never {}\n", condition.block, condition.type, condition.what,
-                            branch.name);
+    if (condition.instants == 0) idle[condition.block] += condition.branches.size();
+  for (const Condition& condition : coverage.conditions) {
+    if (condition.instants > 0) {
+      text += missed_text(condition);
+    } else if (const std::size_t count = std::exchange(idle[condition.block], 0)) {
+      text += fmt::format("    {} ({}): never computed, so none of its {} branch{}\n", condition.block,
+                          condition.type, count, count == 1 ? "" : "es");
+    }
+  }
   return text;
 }
 

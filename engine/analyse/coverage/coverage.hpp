@@ -24,6 +24,8 @@ struct Condition {
   std::string block, type;
   std::string what;  ///< "u reaches the upper limit"
   std::vector<Branch> branches;
+  std::int64_t instants = 0;  ///< Ticks and sides of located events at which the block was computed.
+  std::int64_t zeros = 0;     ///< Those at which a crossing function was exactly 0.
 
   std::size_t covered() const;
 };

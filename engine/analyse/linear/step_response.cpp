@@ -139,7 +139,7 @@ class RowTimes {
   struct Scale {
     double until, spacing;  ///< [s]
   };
-  static constexpr double constants = 8.0;  ///< Time constants after which a mode is over.
+  static constexpr double constants = 8.0;  ///< Duration of a mode in time constants.
   static constexpr double least_samples = 10.0;
   static constexpr int steps = 800;
 
@@ -281,7 +281,7 @@ ResponseCurve later_response(const DelayChain& chain) {
   return curve;
 }
 
-/// Keeps the grid points that the spacing asks for, and each extreme.
+/// Returns the response at grid points of at least this spacing, and at each extreme.
 ResponseCurve delayed_response(const StateSpace& system, const RowTimes& times) {
   constexpr double most_points = 2e4;
   const double step = grid_step(system, std::max(times.unit(), times.duration() / most_points));

@@ -81,17 +81,6 @@ Results results_of(const DiffCall& call, const Registry& registry, const std::st
   return session::compare_results(session, from, to);
 }
 
-ExitCode print(const DiffCall& call, const Difference& found, const Results& results) {
-  Json all = result::json_of(found);
-  if (results) all.set("results", result::json_of(*results));
-  if (call.json)
-    put_json(all);
-  else
-    put_failure(difference::text_of(found) + (results ? report::results_text(*results) : ""));
-  const bool differs = !found.is_empty() || (results && !results->agrees());
-  return differs ? ExitCode::fails : ExitCode::done;
-}
-
 /// Returns the diagram files of a folder by their path below it.
 std::vector<std::string> diagrams_below(const std::string& folder) {
   std::vector<std::string> files;
@@ -120,21 +109,56 @@ void compare_folders(Comparer& comparer, Texts& before, Texts& after, const std:
   }
 }
 
+/// Calls an action; the files in its errors get other names.
+template <class Action, class Rename>
+ExitCode guarded_with_names(const Action& action, const Rename& rename, Json* faults = nullptr) {
+  return guarded(
+      [&] {
+        try {
+          action();
+        } catch (const yaml::Error& error) {
+          throw renamed(error, rename);
+        }
+        return ExitCode::done;
+      },
+      faults);
+}
+
+/// Prints the differences, and those of the runs. A file that cannot run takes nothing away from the first.
+template <class Rename>
+ExitCode print(const DiffCall& call, const Registry& registry,
+               const std::pair<std::string, std::string>& files, const Difference& shown,
+               const Rename& rename) {
+  if (!call.json) put_failure(difference::text_of(shown));
+  Results results;
+  Json faults;
+  const ExitCode ran = guarded_with_names(
+      [&] {
+        results = results_of(call, registry, files.first, files.second);
+        if (results) rename(results->signals.a), rename(results->signals.b);
+      },
+      rename, &faults);
+  if (call.json) {
+    Json all = result::json_of(shown);
+    if (results) all.set("results", result::json_of(*results));
+    if (faults.is_list()) all.set("faults", std::move(faults));
+    put_json(all);
+  } else if (results) {
+    put_failure(report::results_text(*results));
+  }
+  const bool differs = !shown.is_empty() || (results && !results->agrees());
+  return worst(ran, differs ? ExitCode::fails : ExitCode::done);
+}
+
 /// Prints the differences, and then draws them: a picture that fails takes nothing away. `shown` has the
 /// names that `rename` gives to paths.
 template <class Rename>
 ExitCode print_and_draw(const DiffCall& call, const Registry& registry,
                         const std::pair<std::string, std::string>& files, const Difference& found,
-                        const Difference& shown, const Results& results, const Rename& rename) {
-  const ExitCode code = print(call, shown, results);
-  const ExitCode drawn = guarded([&] {
-    try {
-      draw(call, registry, files.first, files.second, found);
-    } catch (const yaml::Error& error) {
-      throw renamed(error, rename);
-    }
-    return ExitCode::done;
-  });
+                        const Difference& shown, const Rename& rename) {
+  const ExitCode code = print(call, registry, files, shown, rename);
+  const ExitCode drawn =
+      guarded_with_names([&] { draw(call, registry, files.first, files.second, found); }, rename);
   return worst(code, drawn);
 }
 
@@ -164,9 +188,7 @@ ExitCode diff_revisions(const DiffCall& call, const Registry& registry) {
     const Difference found = difference_of(registry, before.file(), to);
     Difference shown = found;
     for (difference::FileDifference& one : shown.files) rename(one.before), rename(one.after);
-    Results results = results_of(call, registry, before.file(), to);
-    if (results) rename(results->signals.a), rename(results->signals.b);
-    return print_and_draw(call, registry, {before.file(), to}, found, shown, results, rename);
+    return print_and_draw(call, registry, {before.file(), to}, found, shown, rename);
   } catch (const yaml::Error& error) {
     throw renamed(error, rename);
   }
@@ -230,9 +252,7 @@ ExitCode diff(const DiffCall& call, const Registry& registry) {
   if (count != 2) throw wrong_call(fmt::format("takes one or two files, not {}", count));
   if (!call.revision.empty()) throw wrong_call("takes one file with --rev");
   const Difference found = difference_of(registry, call.files[0], call.files[1]);
-  const Results results = results_of(call, registry, call.files[0], call.files[1]);
-  return print_and_draw(call, registry, {call.files[0], call.files[1]}, found, found, results,
-                        [](std::string&) {});
+  return print_and_draw(call, registry, {call.files[0], call.files[1]}, found, found, [](std::string&) {});
 }
 
 Action declare_diff(CLI::App& verb) {

@@ -50,13 +50,15 @@ ExitCode merge(const MergeCall& call, const Registry& registry) {
     io::write_file(out, text);
     return is_clean ? ExitCode::done : ExitCode::fails;
   }
-  for (const auto& [file, text] : {std::pair{&call.base, &base}, {&path, &ours}, {&call.theirs, &theirs}})
-    yaml::parse_document(*text, *file);  // so that a fault names its file
   try {
     const difference::Merged merged = difference::merge(registry, path, base, ours, theirs);
     io::write_file(out, merged.text);
     report(call.out.empty() ? path : call.out, path, merged);
     return merged.is_clean() ? ExitCode::done : ExitCode::fails;
+  } catch (const yaml::Error&) {
+    for (const auto& [file, text] : {std::pair{&call.base, &base}, {&path, &ours}, {&call.theirs, &theirs}})
+      yaml::parse_document(*text, *file);  // so that a fault names its file
+    throw;
   } catch (const language::EditRefused& refusal) {
     complain("{}: {}\n", call.out.empty() ? path : call.out, refusal.what());
     return ExitCode::fails;

@@ -7,6 +7,7 @@
 #include "engine/app/session/fault_json.hpp"
 #include "engine/base/data_file/reading_log.hpp"
 #include "engine/base/yaml/yaml_text.hpp"
+#include "engine/model/diagram/part_alone.hpp"
 #include "engine/model/diagram/unread.hpp"
 
 namespace stepwire::cli {
@@ -89,6 +90,26 @@ static ExitCode act_on(const ModelCall& call, const Registry& registry, const st
   }
 }
 
+/// True for a map without any key of a diagram. A file that cannot be read is none, so that its fault is
+/// shown.
+static bool is_other_file(const std::string& file) {
+  try {
+    return diagram::is_other_map(yaml::read_document(file).root);
+  } catch (const yaml::Error&) {
+    return false;
+  }
+}
+
+/// Returns the diagrams among several files, and prints a note on each other one, as of `models/*.yaml`.
+static std::vector<std::string> diagrams_of(const std::vector<std::string>& files) {
+  std::vector<std::string> diagrams, others;
+  for (const std::string& file : files)
+    (files.size() > 1 && is_other_file(file) ? others : diagrams).push_back(file);
+  if (diagrams.empty()) return files;
+  for (const std::string& file : others) remark("note: {}: is left out; it has no key of a diagram\n", file);
+  return diagrams;
+}
+
 ExitCode each_model(const ModelCall& call, const Registry& registry, const ModelAction& action) {
   Json results = Json::list();
   session::LoadOptions options;
@@ -101,7 +122,7 @@ ExitCode each_model(const ModelCall& call, const Registry& registry, const Model
   options.study = call.study;
   options.threads = call.threads;
   ExitCode code = ExitCode::done;
-  for (const std::string& file : call.files) {
+  for (const std::string& file : diagrams_of(call.files)) {
     if (interrupted()) break;
     Json faults;
     const ExitCode one =

@@ -173,6 +173,17 @@ std::string unmarked(const std::string& canonical) {
   return result;
 }
 
+bool is_unmarked(std::string_view canonical, std::string_view name) {
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < canonical.size(); ++i) {
+    if (canonical[i] == name_begin)
+      ++i;
+    else if (canonical[i] != name_end && (at == name.size() || canonical[i] != name[at++]))
+      return false;
+  }
+  return at == name.size();
+}
+
 std::vector<std::string> names_in(const std::string& canonical, NameKind kind) {
   std::vector<std::string> names;
   for (std::size_t at = 0; (at = canonical.find(name_begin, at)) != std::string::npos;) {

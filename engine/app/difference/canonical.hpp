@@ -47,6 +47,8 @@ std::string marked(NameKind kind, std::string_view name);
 std::string renamed(const std::string& canonical, const NewNames& names);
 /// Returns a canonical text without marks.
 std::string unmarked(const std::string& canonical);
+/// True where a canonical text without marks is this name.
+bool is_unmarked(std::string_view canonical, std::string_view name);
 /// Returns the names of a kind in a canonical text.
 std::vector<std::string> names_in(const std::string& canonical, NameKind kind);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <unordered_map>
 
 #include "engine/app/difference/matching.hpp"
 #include "engine/app/difference/order.hpp"
@@ -109,51 +110,87 @@ class Comparer::OfFiles {
   /// Applies the renames within parts to the file that uses them: keys of their blocks, and "rig.x".
   void follow_parts() {
     const Fact *before = old_.find("blocks"), *after = after_.root.find("blocks");
-    for (std::size_t i = 0; before && after && i < after->parts.size(); ++i) {
-      const Fact& block = after->parts[i];
-      const Fact* old_block = before->find(unmarked(block.key));
+    if (!before || !after) return;
+    const PartsByKey old_blocks(*before);
+    NamesInside inside;
+    for (const Fact& block : after->parts) {
+      const Fact* old_block = old_blocks.find(unmarked(block.key));
       const auto files = old_block ? files_of_part(*old_block, block) : std::nullopt;
-      if (!files) continue;
-      const NewNames names =
-          find_renames(comparer_.before_.read(files->first).root, comparer_.after_.read(files->second).root);
-      if (!names.empty()) rename_inside(old_, block.key, names);
+      if (files && !compared(*files).names.empty()) inside[block.key] = compared(*files).names;
     }
+    if (!inside.empty()) rename_inside(old_, inside);
+  }
+
+  /// Two files of one part: names that are other ones, and whether their facts are equal.
+  struct ComparedPart {
+    NewNames names;
+    bool are_equal = false;
+  };
+  const ComparedPart& compared(const std::pair<std::string, std::string>& files) {
+    const auto known = compared_.find(files);
+    if (known != compared_.end()) return known->second;
+    const Fact before = comparer_.before_.read(files.first).root,
+               after = comparer_.after_.read(files.second).root;
+    return compared_[files] = {find_renames(before, after), before.canonical == after.canonical};
   }
 
   void renames(NameKind kind, const char* section) {
+    const PartsByKey before(section_of(before_.root, section)), after(section_of(after_.root, section));
     for (const auto& [old_name, new_name] : names_) {
       if (old_name.first != kind) continue;
       Change change{.kind = Kind::renamed, .section = section, .name = old_name.second};
       change.from = old_name.second;
       change.to = new_name;
-      if (const Fact* map = before_.root.find(section))
-        if (const Fact* fact = map->find(old_name.second)) change.before = fact->mark;
-      if (const Fact* map = after_.root.find(section))
-        if (const Fact* fact = map->find(new_name)) change.after = fact->mark;
+      if (const Fact* fact = before.find(old_name.second)) change.before = fact->mark;
+      if (const Fact* fact = after.find(new_name)) change.after = fact->mark;
       changes_.push_back(std::move(change));
     }
   }
 
-  void blocks() {
+  static const Fact& section_of(const Fact& root, const char* section) {
     static const Fact none{.kind = Fact::Kind::map};
-    const Fact* old_blocks = old_.find("blocks");
-    const Fact* new_blocks = after_.root.find("blocks");
-    const Fact &before = old_blocks ? *old_blocks : none, &after = new_blocks ? *new_blocks : none;
-    for (const Fact& block : after.parts)
-      if (!before.find(unmarked(block.key))) new_block(block, before);
-    for (const Fact& block : before.parts)
-      if (!after.find(unmarked(block.key))) gone_block(block, after);
-    renames(NameKind::block, "blocks");
-    for (const Fact& block : after.parts)
-      if (const Fact* old_block = before.find(unmarked(block.key))) same_block(*old_block, block);
+    const Fact* found = root.find(section);
+    return found ? *found : none;
   }
 
-  void new_block(const Fact& block, const Fact& old_blocks) {
-    if (const auto home =
-            home_in_part(block, old_blocks, comparer_.before_texts_, comparer_.before_, before_.file))
-      return moved(block, *home, unmarked(block.key), nullptr, &block);
-    add(Kind::added, "blocks", block.key, nullptr, &block);
-    content_of_part(block);
+  void blocks() {
+    const Fact &before = section_of(old_, "blocks"), &after = section_of(after_.root, "blocks");
+    const PartsByKey old_blocks(before), new_blocks(after);
+    new_blocks_of(before, after, old_blocks, new_blocks);
+    gone_blocks_of(before, after, old_blocks, new_blocks);
+    renames(NameKind::block, "blocks");
+    for (const Fact& block : after.parts)
+      if (const Fact* old_block = old_blocks.find(unmarked(block.key))) same_block(*old_block, block);
+  }
+
+  void new_blocks_of(const Fact& before, const Fact& after, const PartsByKey& old_blocks,
+                     const PartsByKey& new_blocks) {
+    std::optional<Homes> homes;
+    for (const Fact& block : after.parts) {
+      if (old_blocks.find(unmarked(block.key))) continue;
+      if (!homes)
+        homes = homes_in_parts(before, new_blocks, comparer_.before_texts_, comparer_.before_, before_.file);
+      if (const auto home = homes->find(content_of_block(block)); home != homes->end()) {
+        moved(block, home->second, unmarked(block.key), nullptr, &block);
+        continue;
+      }
+      add(Kind::added, "blocks", block.key, nullptr, &block);
+      content_of_part(block);
+    }
+  }
+
+  void gone_blocks_of(const Fact& before, const Fact& after, const PartsByKey& old_blocks,
+                      const PartsByKey& new_blocks) {
+    std::optional<Homes> homes;
+    for (const Fact& block : before.parts) {
+      if (new_blocks.find(unmarked(block.key))) continue;
+      if (!homes)
+        homes = homes_in_parts(after, old_blocks, comparer_.after_texts_, comparer_.after_, after_.file);
+      if (const auto home = homes->find(content_of_block(block)); home != homes->end())
+        moved(block, unmarked(block.key), home->second, &block, nullptr);
+      else
+        add(Kind::removed, "blocks", block.key, &block, nullptr);
+    }
   }
 
   /// Adds a line for each section of a part that is new: names with types or values.
@@ -173,13 +210,6 @@ class Comparer::OfFiles {
     }
   }
 
-  void gone_block(const Fact& block, const Fact& new_blocks) {
-    if (const auto home =
-            home_in_part(block, new_blocks, comparer_.after_texts_, comparer_.after_, after_.file))
-      return moved(block, unmarked(block.key), *home, &block, nullptr);
-    add(Kind::removed, "blocks", block.key, &block, nullptr);
-  }
-
   void moved(const Fact& block, const std::string& from, const std::string& to, const Fact* before,
              const Fact* after) {
     Change change{.kind = Kind::moved, .section = "blocks", .name = unmarked(block.key)};
@@ -190,41 +220,33 @@ class Comparer::OfFiles {
     changes_.push_back(std::move(change));
   }
 
-  /// Returns the name of a block in a part that only the other side uses: "rig.spring". The block there has
-  /// the same type and the same values.
-  std::optional<std::string> home_in_part(const Fact& block, const Fact& others, Texts& texts,
-                                          FactReader& reader, const std::string& file) {
-    const bool is_old = &texts == &comparer_.after_texts_;
-    for (const Fact& user : others.parts) {
+  /// Blocks in parts by their type and values, under the name by which the file has them: "rig.spring".
+  using Homes = std::unordered_map<std::string, std::string>;
+
+  /// Returns the blocks in the parts of a file that are unknown to the other side.
+  static Homes homes_in_parts(const Fact& users, const PartsByKey& others, Texts& texts, FactReader& reader,
+                              const std::string& file) {
+    Homes homes;
+    for (const Fact& user : users.parts) {
       const Fact* path = user.find("diagram");
-      if (!path || user.find("block") || is_known_part(user, is_old)) continue;
+      if (!path || user.find("block")) continue;
+      const Fact* same = others.find(unmarked(user.key));
+      if (same && type_of(*same) == type_of(user)) continue;
       const std::string part = texts.part_path(file, path->canonical);
       if (!texts.find(part)) continue;
       const FileFacts inside = reader.read(part);
-      const Fact* blocks = inside.root.find("blocks");
-      for (std::size_t i = 0; blocks && i < blocks->parts.size(); ++i)
-        if (const Fact& one = blocks->parts[i]; is_moved(block, one))
-          return unmarked(user.key) + "." + unmarked(one.key);
+      for (const Fact& one : section_of(inside.root, "blocks").parts)
+        homes.emplace(content_of_block(one), unmarked(user.key) + "." + unmarked(one.key));
     }
-    return std::nullopt;
+    return homes;
   }
 
-  /// True for a part that the file of the block uses as well.
-  bool is_known_part(const Fact& user, bool is_old) const {
-    const Fact* blocks = is_old ? old_.find("blocks") : after_.root.find("blocks");
-    const Fact* same = blocks ? blocks->find(unmarked(user.key)) : nullptr;
-    return same && type_of(*same) == type_of(user);
-  }
-
-  static bool is_moved(const Fact& block, const Fact& inside) {
-    if (type_of(block) != type_of(inside)) return false;
-    const auto values_of = [](const Fact& fact) {
-      std::set<std::string> values;
-      for (const Fact& part : fact.parts)
-        if (!part.is_wire) values.insert(part.key + ": " + unmarked(part.canonical));
-      return values;
-    };
-    return values_of(block) == values_of(inside);
+  /// Returns the type and the values of a block, without its wires.
+  static std::string content_of_block(const Fact& block) {
+    std::set<std::string> values;
+    for (const Fact& part : block.parts)
+      if (!part.is_wire) values.insert(part.key + ": " + unmarked(part.canonical));
+    return fmt::format("{} {{{}}}", type_of(block), fmt::join(values, ", "));
   }
 
   void same_block(const Fact& before, const Fact& after) {
@@ -286,8 +308,7 @@ class Comparer::OfFiles {
     const auto files = files_of_part(before, after);
     if (!files) return note_unfetched(before, after);
     const auto& [from, to] = *files;
-    has_equal_parts_ =
-        comparer_.before_.read(from).root.canonical == comparer_.after_.read(to).root.canonical;
+    has_equal_parts_ = compared(*files).are_equal;
     parts_.emplace_back(from, to);  // parts of equal files may differ
   }
 
@@ -363,13 +384,15 @@ class Comparer::OfFiles {
   void maps(const std::string& section, const std::string& name, const Fact& from, const Fact& to) {
     const Fact *old_plot = from.find("plot"), *new_plot = to.find("plot");
     const bool is_other_plot = old_plot && new_plot && old_plot->canonical != new_plot->canonical;
+    const PartsByKey old_parts(from), new_parts(to);
     for (const Fact& part : to.parts) {
-      const Fact* old_part = from.find(unmarked(part.key));
+      const Fact* old_part = old_parts.find(unmarked(part.key));
       if (is_other_plot && old_part && old_part->written == part.written) continue;  // read in another form
       difference(section, inner_name(section, name, part), old_part, &part);
     }
     for (const Fact& part : from.parts)
-      if (!to.find(unmarked(part.key))) difference(section, inner_name(section, name, part), &part, nullptr);
+      if (!new_parts.find(unmarked(part.key)))
+        difference(section, inner_name(section, name, part), &part, nullptr);
   }
 
   /// Leaves out the key of the value itself: "mass" for "mass.value".
@@ -399,6 +422,7 @@ class Comparer::OfFiles {
   NewNames names_;
   std::vector<Change> changes_;
   std::vector<std::pair<std::string, std::string>> parts_;
+  std::map<std::pair<std::string, std::string>, ComparedPart> compared_;
   bool is_other_type_ = false;    ///< the present block has another type
   bool has_equal_parts_ = false;  ///< the parts of the present block have equal facts
 };

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
+#include <map>
 
 #include "engine/base/text/characters.hpp"
 
@@ -63,10 +63,11 @@ void append(std::string& text, const FileDifference& file) {
 std::vector<std::string> labels_of(const Fact& set) {
   std::vector<std::string> names;
   for (const Fact& part : set.parts) names.push_back(label_of(part));
+  std::map<std::string, int> counts, numbers;
+  for (const std::string& name : names) ++counts[name];
   std::vector<std::string> labels = names;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (std::ranges::count(names, names[i]) > 1)
-      labels[i] += fmt::format(" ({})", std::ranges::count(std::span(names).first(i), names[i]) + 1);
+  for (std::string& label : labels)
+    if (const std::string name = label; counts[name] > 1) label += fmt::format(" ({})", ++numbers[name]);
   return labels;
 }
 

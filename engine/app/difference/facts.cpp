@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 #include "engine/app/difference/notation.hpp"
 #include "engine/app/reference/sections.hpp"
@@ -91,13 +92,19 @@ class FactReader::Reading {
     return fact;
   }
 
+  /// Reads a map that means the same as a value: numbers beside their unit, or a solver by its name alone.
+  std::optional<Fact> value_in_map(const yaml::Node& node, const FormList& forms) {
+    const auto numbers = numbers_with_unit(node, forms);
+    const yaml::Node* solver = only_solver(node, forms);
+    if (!numbers && !solver) return std::nullopt;
+    Fact fact = read(numbers ? *numbers : *solver, forms);
+    if (numbers) forget_nodes(fact);
+    describe(fact, node);
+    return fact;
+  }
+
   Fact map(const yaml::Node& node, const FormList& forms) {
-    if (const auto numbers = numbers_with_unit(node, forms)) {
-      Fact fact = read(*numbers, forms);
-      forget_nodes(fact);
-      describe(fact, node);
-      return fact;
-    }
+    if (auto value = value_in_map(node, forms)) return std::move(*value);
     Fact fact{.kind = Fact::Kind::map};
     describe(fact, node);
     const bool is_block =
@@ -227,8 +234,8 @@ class FactReader::Reading {
   }
 
   static bool is_bus(const yaml::Node& map, const FormList& forms) {
-    return !map.find("block") && !map.find("diagram") &&
-           std::ranges::any_of(forms, [](auto* form) { return language::is_block_form(*form); });
+    return std::ranges::any_of(forms, [](auto* form) { return language::is_block_form(*form); }) &&
+           !map.find("block") && !map.find("diagram");
   }
 
   Fact scalar(const yaml::Node& node, const FormList& forms, bool literal) {
@@ -294,8 +301,20 @@ std::string FactReader::default_of(const Fact& block, const std::string& paramet
 
 const Fact* Fact::find(std::string_view name) const {
   const auto found =
-      std::ranges::find_if(parts, [&](const Fact& part) { return unmarked(part.key) == name; });
+      std::ranges::find_if(parts, [&](const Fact& part) { return is_unmarked(part.key, name); });
   return found == parts.end() ? nullptr : &*found;
+}
+
+PartsByKey::PartsByKey(const Fact& map) : map_(map) {
+  constexpr std::size_t few_parts = 16;
+  if (map.parts.size() <= few_parts) return;
+  for (const Fact& part : map.parts) parts_.emplace(unmarked(part.key), &part);
+}
+
+const Fact* PartsByKey::find(const std::string& name) const {
+  if (parts_.empty()) return map_.find(name);
+  const auto found = parts_.find(name);
+  return found == parts_.end() ? nullptr : found->second;
 }
 
 void join_parts(Fact& fact) {
@@ -330,17 +349,29 @@ static std::string renamed_behind(std::string text, const std::string& block, co
   return text;
 }
 
-void rename_inside(Fact& fact, const std::string& block, const NewNames& names) {
-  const bool is_user = fact.key == block && fact.find("diagram");
-  fact.key = renamed_behind(fact.key, block, names);
+/// Returns a canonical text with new names behind those of all these blocks.
+static std::string renamed_behind(std::string text, const NamesInside& inside) {
+  const std::vector<std::string> blocks = names_in(text, NameKind::block);
+  for (const std::string& block : std::set(blocks.begin(), blocks.end())) {
+    const auto found = inside.find(marked(NameKind::block, block));
+    if (found != inside.end()) text = renamed_behind(std::move(text), found->first, found->second);
+  }
+  return text;
+}
+
+void rename_inside(Fact& fact, const NamesInside& inside) {
+  const auto used = fact.find("diagram") ? inside.find(fact.key) : inside.end();
+  fact.key = renamed_behind(fact.key, inside);
   for (Fact& part : fact.parts) {
-    for (const NameKind kind : {NameKind::input, NameKind::parameter})
-      if (const auto found = names.find({kind, part.key}); is_user && found != names.end())
+    for (const NameKind kind : {NameKind::input, NameKind::parameter}) {
+      if (used == inside.end()) break;
+      if (const auto found = used->second.find({kind, part.key}); found != used->second.end())
         part.key = found->second;
-    rename_inside(part, block, names);
+    }
+    rename_inside(part, inside);
   }
   if (fact.kind == Fact::Kind::value)
-    fact.canonical = renamed_behind(fact.canonical, block, names);
+    fact.canonical = renamed_behind(fact.canonical, inside);
   else
     join_parts(fact);
 }

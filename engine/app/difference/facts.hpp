@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "engine/app/difference/canonical.hpp"
@@ -32,8 +33,22 @@ struct Fact {
   const yaml::Node* node = nullptr;    ///< Value in the file; nullptr for a default.
   const yaml::Entry* entry = nullptr;  ///< Its key; nullptr for an item.
 
+  /// Returns the part under a key; nullptr if it is missing. The search is linear, see PartsByKey.
   const Fact* find(std::string_view name) const;
   bool is_map() const { return kind == Kind::map; }
+};
+
+/// Index of the parts of a map, for loops over maps of many parts. The map must outlive it, and keep its
+/// parts.
+class PartsByKey {
+ public:
+  explicit PartsByKey(const Fact& map);
+  /// Returns the part under a key without marks; nullptr if it is missing.
+  const Fact* find(const std::string& name) const;
+
+ private:
+  const Fact& map_;
+  std::unordered_map<std::string, const Fact*> parts_;  ///< Empty for a map of few parts.
 };
 
 /// Facts of one file.
@@ -64,8 +79,10 @@ class FactReader {
 
 /// Replaces names in a fact and all its parts.
 void rename(Fact& fact, const NewNames& names);
-/// Replaces names of a part, used by the block of this canonical key, in the file that uses it.
-void rename_inside(Fact& fact, const std::string& block, const NewNames& names);
+/// New names within parts, by the canonical keys of the blocks that use them.
+using NamesInside = std::map<std::string, NewNames>;
+/// Replaces names of parts in the file that uses them.
+void rename_inside(Fact& fact, const NamesInside& inside);
 /// Computes the canonical text of a group from those of its parts.
 void join_parts(Fact& fact);
 /// Returns a name for an item of a set: its sentence or title, or its text.

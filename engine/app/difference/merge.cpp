@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <set>
+#include <unordered_map>
 
 #include "engine/app/difference/difference_text.hpp"
 #include "engine/app/difference/fact_edits.hpp"
@@ -59,14 +60,16 @@ class FactMerge {
   /// Merges a map, and returns the merged facts.
   Fact map(const Versions& of, const std::string& path) {
     const Fact& base = of.base ? *of.base : no_fact();
+    const PartsByKey in_base(base), in_ours(*of.ours), in_theirs(*of.theirs);
     Fact merged = *of.ours;
     merged.parts.clear();
-    for (const Fact& part : of.ours->parts)
-      keep(merged,
-           one({base.find(unmarked(part.key)), &part, of.theirs->find(unmarked(part.key))}, *of.ours, path));
+    for (const Fact& part : of.ours->parts) {
+      const std::string key = unmarked(part.key);
+      keep(merged, one({in_base.find(key), &part, in_theirs.find(key)}, *of.ours, path));
+    }
     for (const Fact& part : of.theirs->parts)
-      if (!of.ours->find(unmarked(part.key)))
-        keep(merged, one({base.find(unmarked(part.key)), nullptr, &part}, *of.ours, path));
+      if (const std::string key = unmarked(part.key); !in_ours.find(key))
+        keep(merged, one({in_base.find(key), nullptr, &part}, *of.ours, path));
     join_parts(merged);
     return merged;
   }
@@ -149,25 +152,28 @@ class FactMerge {
     return merged;
   }
 
-  static const Fact* partner_of(const Matches& matches, const Fact* item) {
-    for (const auto& [a, b] : matches.pairs)
-      if (a == item) return b;
-    return nullptr;
+  using Partners = std::map<const Fact*, const Fact*>;
+  static const Fact* partner_of(const Partners& partners, const Fact* item) {
+    const auto found = partners.find(item);
+    return found == partners.end() ? nullptr : found->second;
   }
 
   Fact set(const Versions& of, const std::string& path) {
     Fact none{.kind = Fact::Kind::set};
     const Fact& base = of.base ? *of.base : none;
     const Matches ours = matches_of(base, *of.ours), theirs = matches_of(base, *of.theirs);
+    const Partners of_ours(ours.pairs.begin(), ours.pairs.end()),
+        of_theirs(theirs.pairs.begin(), theirs.pairs.end());
     Fact merged = *of.ours;
     merged.parts.clear();
     for (const Fact* item : ours.added) merged.parts.push_back(*item);
     for (const Fact& item : base.parts)
-      keep(merged, item_of_set({&item, partner_of(ours, &item), partner_of(theirs, &item)}, *of.ours, path));
+      keep(merged,
+           item_of_set({&item, partner_of(of_ours, &item), partner_of(of_theirs, &item)}, *of.ours, path));
+    std::set<std::string> added;
+    for (const Fact* item : ours.added) added.insert(item->canonical);
     for (const Fact* item : theirs.added) {
-      const bool is_there = std::ranges::any_of(
-          ours.added, [&](const Fact* other) { return other->canonical == item->canonical; });
-      if (is_there) continue;
+      if (added.contains(item->canonical)) continue;
       edits_.add_item(*of.ours, *item);
       merged.parts.push_back(*item);
     }
@@ -209,7 +215,6 @@ class Merge {
     read(base_, base);
     read(ours_, ours);
     read(theirs_, theirs);
-    const std::string changes_of_ours = changes_to(ours_), changes_of_theirs = changes_to(theirs_);
     equalise_names();
     Merged result;
     try {
@@ -218,7 +223,7 @@ class Merge {
       result = {.text = ours, .conflicts = {}, .faults = {}};
       if (!ours.ends_with('\n')) result.text += '\n';
       result.conflicts.push_back({fmt::format("the whole file ({})", refusal.what()), "the common ancestor",
-                                  changes_of_ours, changes_of_theirs});
+                                  changes(base, ours), changes(base, theirs)});
     }
     if (!result.conflicts.empty()) add_conflicts(result);
     return result;
@@ -241,8 +246,11 @@ class Merge {
   }
 
   /// Returns what one side changed, in lines that are joined.
-  std::string changes_to(Side& side) {
-    Comparer comparer(registry_, base_.texts, side.texts);
+  std::string changes(const std::string& base, const std::string& side) const {
+    Texts before, after;
+    before.give(path_, base);
+    after.give(path_, side);
+    Comparer comparer(registry_, before, after);
     comparer.compare(path_, path_, false);
     std::vector<std::string> lines;
     for (const FileDifference& file : comparer.result().files)
@@ -313,10 +321,15 @@ class Merge {
     }
   }
 
+  /// Returns the texts of ours with another text of the file, which is parsed once for several calls.
+  Texts& with_text(const std::string& text) const {
+    if (!merged_ || merged_->read(path_).text != text) merged_ = ours_.texts.with(path_, text);
+    return *merged_;
+  }
+
   bool means(const Fact& wanted, const std::string& text) const {
     try {
-      Texts after = ours_.texts.with(path_, text);
-      return meaning_of(FactReader(registry_, after).read(path_).root) == meaning_of(wanted);
+      return meaning_of(FactReader(registry_, with_text(text)).read(path_).root) == meaning_of(wanted);
     } catch (const yaml::Error&) {
       return false;
     }
@@ -327,10 +340,11 @@ class Merge {
     for (const auto& [kind, section] : {std::pair{NameKind::block, "blocks"},
                                         {NameKind::parameter, "parameters"},
                                         {NameKind::input, "inputs"}}) {
-      const Fact* defined = wanted.find(section);
+      const Fact* found = wanted.find(section);
+      const PartsByKey defined(found ? *found : no_fact());
       std::set<std::string> missing;
       for (const std::string& name : names_in(wanted.canonical, kind))
-        if (!defined || !defined->find(name)) missing.insert(name);
+        if (!defined.find(name)) missing.insert(name);
       for (const std::string& name : missing) conflicts.push_back(conflict_of(section, name));
     }
   }
@@ -339,27 +353,32 @@ class Merge {
   /// while the other one exchanges what is joined. The number of the element is then that of another signal.
   void note_elements(std::vector<Conflict>& conflicts) const {
     const Fact* blocks = base_.facts.root.find("blocks");
-    for (std::size_t i = 0; blocks && i < blocks->parts.size(); ++i) {
-      const std::string name = unmarked(blocks->parts[i].key), type = type_of(blocks->parts[i]);
+    if (!blocks) return;
+    const auto blocks_of = [](const Side& side) {
+      const Fact* found = side.facts.root.find("blocks");
+      return PartsByKey(found ? *found : no_fact());
+    };
+    const PartsByKey ours = blocks_of(ours_), theirs = blocks_of(theirs_);
+    for (const Fact& block : blocks->parts) {
+      const std::string name = unmarked(block.key), type = type_of(block);
       if (type != "Mux" && type != "Concatenate" && type != "Stack") continue;
-      note_elements_of(name, ours_, theirs_, conflicts);
-      note_elements_of(name, theirs_, ours_, conflicts);
+      const Versions inputs{inputs_of(&block), inputs_of(ours.find(name)), inputs_of(theirs.find(name))};
+      note_elements_of(name, inputs, inputs.ours, theirs_, conflicts);
+      note_elements_of(name, inputs, inputs.theirs, ours_, conflicts);
     }
   }
 
-  void note_elements_of(const std::string& name, const Side& joining, const Side& naming,
-                        std::vector<Conflict>& conflicts) const {
-    const std::string base = canonical_of(inputs_of(base_, name));
-    const std::string joined = canonical_of(inputs_of(joining, name));
-    if (joined == base || joined == canonical_of(inputs_of(naming, name))) return;
-    const auto written = [&](const Side& side) {
-      const Fact* inputs = inputs_of(side, name);
-      return inputs ? inputs->written : "removed";
-    };
+  /// Adds conflicts for one side, which joins other signals, and the elements that the other one names.
+  void note_elements_of(const std::string& name, const Versions& inputs, const Fact* joining,
+                        const Side& naming, std::vector<Conflict>& conflicts) const {
+    const Fact* other = joining == inputs.ours ? inputs.theirs : inputs.ours;
+    const std::string joined = canonical_of(joining);
+    if (joined == canonical_of(inputs.base) || joined == canonical_of(other)) return;
+    const auto written = [](const Fact* of) { return of ? of->written : "removed"; };
     std::set<std::string> named;
     add_elements(naming.facts.root, &base_.facts.root, name, named);
     for (const std::string& element : named)
-      conflicts.push_back({element, written(base_), written(ours_), written(theirs_)});
+      conflicts.push_back({element, written(inputs.base), written(inputs.ours), written(inputs.theirs)});
   }
 
   /// Adds the elements of a block in what differs from the base.
@@ -367,22 +386,19 @@ class Merge {
                            std::set<std::string>& named) {
     if (base && base->canonical == fact.canonical) return;
     if (fact.parts.empty()) named.merge(elements_in(fact.canonical, name));
+    std::unordered_map<std::string, const Fact*> old_parts;
+    const auto text_of = [](const Fact& part) { return part.key.empty() ? part.canonical : part.key; };
+    for (std::size_t i = 0; base && i < base->parts.size(); ++i)
+      old_parts.emplace(text_of(base->parts[i]), &base->parts[i]);
     for (const Fact& part : fact.parts) {
-      const auto same = [&](const Fact& other) {
-        return part.key.empty() ? other.canonical == part.canonical : other.key == part.key;
-      };
-      const Fact* before = nullptr;
-      if (base)
-        if (const auto found = std::ranges::find_if(base->parts, same); found != base->parts.end())
-          before = &*found;
+      const auto found = old_parts.find(text_of(part));
+      const Fact* before = found == old_parts.end() ? nullptr : found->second;
       add_elements(part, before, name, named);
     }
   }
 
   /// Returns the list of wires of a block; nullptr without one.
-  static const Fact* inputs_of(const Side& side, const std::string& name) {
-    const Fact* blocks = side.facts.root.find("blocks");
-    const Fact* block = blocks ? blocks->find(name) : nullptr;
+  static const Fact* inputs_of(const Fact* block) {
     for (std::size_t i = 0; block && i < block->parts.size(); ++i)
       if (block->parts[i].is_wire) return &block->parts[i];
     return nullptr;
@@ -419,18 +435,16 @@ class Merge {
   /// Returns the orders that a text does not have as one side changed them, or that both changed. Facts
   /// leave out the order of maps.
   std::vector<LostOrder> lost_orders_of(const std::string& text) const {
-    Texts after = ours_.texts.with(path_, text);
     const auto orders = [](const DiagramText& of) { return orders_of(of.document.root); };
     return lost_orders(orders(*base_.facts.source), orders(*ours_.facts.source),
-                       orders(*theirs_.facts.source), orders(after.read(path_)));
+                       orders(*theirs_.facts.source), orders(with_text(text).read(path_)));
   }
 
   /// Gives the merged text the order of the side that changed it. Adds a conflict where both did.
   void keep_orders(const Fact& wanted, Merged& merged) const {
     for (const LostOrder& one : lost_orders_of(merged.text)) {
       if (!one.wanted) continue;
-      Texts after = ours_.texts.with(path_, merged.text);
-      const std::string text = rearranged(after.read(path_), one.place, *one.wanted);
+      const std::string text = rearranged(with_text(merged.text).read(path_), one.place, *one.wanted);
       if (means(wanted, text)) merged.text = text;
     }
     const auto written = [](const std::vector<std::string>& names) {
@@ -490,6 +504,7 @@ class Merge {
   const std::string& path_;
   Side base_, ours_, theirs_;
   std::vector<Conflict> conflicts_;
+  mutable std::optional<Texts> merged_;  ///< With the last text of with_text().
 };
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "engine/app/reference/sections.hpp"
+#include "engine/model/diagram/head_keys.hpp"
+#include "engine/simulate/solve/solver.hpp"
 
 namespace stepwire::difference {
 
@@ -108,6 +110,15 @@ std::optional<yaml::Node> merged_unit(const yaml::Node& map, const FormList& for
   const auto section = short_section(forms);
   if (!forms.empty() && !(section && section->value)) return std::nullopt;
   return map.is_map() ? with_unit(map) : std::nullopt;
+}
+
+const yaml::Node* only_solver(const yaml::Node& map, const FormList& forms) {
+  const bool is_solver =
+      std::ranges::any_of(forms, [](const yaml::Key* form) { return form->name == "solver"; });
+  const yaml::Node* name = is_solver && map.entries.size() == 1 ? map.find("name") : nullptr;
+  if (!name || !name->is_scalar()) return nullptr;
+  const bool has_control = solve::find_called(name->text, true).has_value();
+  return has_control && !diagram::always_controls_error(name->text) ? nullptr : name;
 }
 
 ScalarForms scalar_forms(const FormList& scalars, const std::optional<unit::Dimension>& demanded) {

@@ -35,6 +35,10 @@ std::optional<yaml::Node> numbers_with_unit(const yaml::Node& map, const languag
 /// Returns the value of a parameter's map with its unit behind each number.
 std::optional<yaml::Node> merged_unit(const yaml::Node& map, const language::FormList& forms);
 
+/// Returns the name in `solver: {name: rodas}` where the name alone means the same; nullptr for other maps, and
+/// for solvers that control their error in a map alone.
+const yaml::Node* only_solver(const yaml::Node& map, const language::FormList& forms);
+
 /// Properties of a scalar that follow from its possible forms.
 struct ScalarForms {
   bool is_plain_text = false;  ///< a title, word or path

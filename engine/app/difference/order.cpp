@@ -70,12 +70,13 @@ class Walk {
 };
 
 /// Returns the names that are in both lists, in the order of the first.
-Names shared(const Names& names, Names others) {
+Names shared(const Names& names, const Names& others) {
+  std::multiset<std::string> rest(others.begin(), others.end());
   Names found;
   for (const std::string& name : names)
-    if (const auto other = std::ranges::find(others, name); other != others.end()) {
+    if (const auto other = rest.find(name); other != rest.end()) {
       found.push_back(name);
-      others.erase(other);
+      rest.erase(other);
     }
   return found;
 }
@@ -117,10 +118,29 @@ static std::optional<std::map<std::string, std::string>> new_labels(const Names&
   return labels;
 }
 
-/// Returns the order that a merge of three versions has; std::nullopt where both sides changed it.
-static std::optional<Names> wanted_order(const Names& was, const Names& ours, const Names& theirs) {
+/// True where items changed in their places, and none has moved.
+static bool keeps_places(const Names& was, const Names& now) {
+  if (was.size() != now.size()) return false;
+  const std::set<std::string> old(was.begin(), was.end());
+  for (std::size_t i = 0; i < was.size(); ++i)
+    if (was[i] != now[i] && old.contains(now[i])) return false;
+  return true;
+}
+
+/// Returns the order that a merge of three versions has; std::nullopt where both sides changed it. An item
+/// that both changed has the name of the merged text.
+static std::optional<Names> wanted_order(const Names& was, const Names& ours, const Names& theirs,
+                                         const Names& merged) {
   if (ours == theirs || theirs == was) return ours;
   if (ours == was) return theirs;
+  if (keeps_places(was, ours) && keeps_places(was, theirs)) {
+    Names wanted = ours;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (ours[i] == was[i]) wanted[i] = theirs[i];
+      if (ours[i] != was[i] && theirs[i] != was[i] && i < merged.size()) wanted[i] = merged[i];
+    }
+    return wanted;
+  }
   auto labels = new_labels(was, ours);
   const bool is_of_ours = labels.has_value();
   if (!is_of_ours) labels = new_labels(was, theirs);
@@ -147,7 +167,7 @@ std::vector<LostOrder> lost_orders(const Orders& base, const Orders& ours, const
     for (const auto& [place, names] : *one) places.insert(place);
   for (const std::string& place : places) {
     LostOrder one{place, at(base, place), at(ours, place), at(theirs, place), std::nullopt};
-    one.wanted = wanted_order(one.base, one.ours, one.theirs);
+    one.wanted = wanted_order(one.base, one.ours, one.theirs, at(merged, place));
     if (!one.wanted || at(merged, place) != *one.wanted) lost.push_back(std::move(one));
   }
   return lost;

@@ -82,6 +82,27 @@ const yaml::Entry* DiagramFiles::block_at_start(const yaml::Document& document, 
   return longest;
 }
 
+const yaml::Entry* DiagramFiles::indexed(const std::shared_ptr<const yaml::Document>& document,
+                                         const char* section, std::string_view name) {
+  constexpr std::size_t most_indices = 64;  // beyond, those of former texts are dropped
+  const auto known = indices_.find({document, section});
+  if (known == indices_.end() && indices_.size() >= most_indices) indices_.clear();
+  Index& index = known == indices_.end() ? indices_[{document, section}] : known->second;
+  const yaml::Node* map = known == indices_.end() ? document->root.find(section) : nullptr;
+  for (std::size_t i = 0; map && i < map->entries.size(); ++i)
+    index.emplace(map->entries[i].key, &map->entries[i]);
+  const auto found = index.find(name);
+  return found == index.end() ? nullptr : found->second;
+}
+
+const yaml::Entry* DiagramFiles::indexed_block(const std::shared_ptr<const yaml::Document>& document,
+                                               std::string_view reference) {
+  for (std::size_t end = reference.size(); end != std::string_view::npos && end > 0;
+       end = reference.rfind('.', end - 1))
+    if (const yaml::Entry* found = indexed(document, "blocks", reference.substr(0, end))) return found;
+  return nullptr;
+}
+
 bool DiagramFiles::has_one_output(const std::string& file, const yaml::Entry& block) {
   const yaml::Node* kind = block.value.is_map() ? block.value.find("block") : nullptr;
   const BlockType* type = kind ? registry_.find(kind->text) : nullptr;
@@ -126,7 +147,7 @@ const WrittenName* DiagramFiles::name_at(const std::string& file, std::size_t of
 void DiagramFiles::add_parameter(const std::string& file, TextRange range, std::string_view name,
                                  std::vector<NamePiece>& found) {
   const auto document = tree(file);
-  if (document && entry(*document, "parameters", std::string(name)))
+  if (document && indexed(document, "parameters", name))
     found.push_back({range, {file, Meaning::Kind::parameter, std::string(name)}});
 }
 
@@ -142,10 +163,10 @@ void DiagramFiles::add_signal(const std::string& file, TextRange rest, std::stri
   if (!document || name.empty() || depth > 32) return;
   const std::string first(first_piece(name));
   const TextRange first_range{rest.from, rest.from + first.size()};
-  const yaml::Entry* block = block_at_start(*document, name);
-  if (depth > 0 && !(blocks_first && block) && entry(*document, "outputs", first))
+  const yaml::Entry* block = indexed_block(document, name);
+  if (depth > 0 && !(blocks_first && block) && indexed(document, "outputs", first))
     return found.push_back({first_range, {file, Meaning::Kind::output, first}});
-  if (entry(*document, "inputs", first))
+  if (indexed(document, "inputs", first))
     return found.push_back({first_range, {file, Meaning::Kind::input, first}});
   if (!block) return add_parameter(file, first_range, first, found);
   const std::size_t size = block->key.size();
@@ -162,7 +183,7 @@ void DiagramFiles::add_signal(const std::string& file, TextRange rest, std::stri
 
 std::optional<Meaning> DiagramFiles::key_of_part(const std::string& file, const WrittenName& name) {
   const auto document = tree(file);
-  const yaml::Entry* block = document ? entry(*document, "blocks", name.block) : nullptr;
+  const yaml::Entry* block = document ? indexed(document, "blocks", name.block) : nullptr;
   const std::string path = block ? part_file(file, *block) : "";
   const auto part = path.empty() ? nullptr : tree(path);
   if (!part) return std::nullopt;

@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "engine/app/language/open_texts.hpp"
@@ -92,11 +94,21 @@ class DiagramFiles {
   void add_parameter(const std::string& file, TextRange range, std::string_view name,
                      std::vector<NamePiece>& found);
 
+  /// Returns an entry like entry(), by an index of the document.
+  const yaml::Entry* indexed(const std::shared_ptr<const yaml::Document>& document, const char* section,
+                             std::string_view name);
+  /// Returns the block like block_at_start(), by an index of the document.
+  const yaml::Entry* indexed_block(const std::shared_ptr<const yaml::Document>& document,
+                                   std::string_view reference);
+
+  using Index = std::unordered_map<std::string_view, const yaml::Entry*>;
+
   const Registry& registry_;
   OpenTexts texts_;
   Forms forms_;
   std::vector<std::string> folders_;
   std::map<std::string, NamesOf> names_;
+  std::map<std::pair<std::shared_ptr<const yaml::Document>, std::string>, Index> indices_;  ///< by section
 };
 
 }  // namespace stepwire::language

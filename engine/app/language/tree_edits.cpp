@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <optional>
 
@@ -174,14 +175,32 @@ std::vector<TreeEdits::Child> TreeEdits::children(const yaml::Node& node) const 
 }
 
 void TreeEdits::append(const yaml::Node& parent, const std::string& text) {
+  if (!is_flow(parent) && parent.entries.empty() && parent.items.empty())
+    throw EditRefused("there is no list or map here yet; write it in the text");
+  appended_[&parent].push_back(text);
+}
+
+bool TreeEdits::are_removed(const std::vector<Child>& all) const {
+  return std::ranges::all_of(all, [&](const Child& one) { return removed_.contains(one.id); });
+}
+
+void TreeEdits::add_appended(const yaml::Node& parent, std::vector<Splice>& splices) const {
+  const auto texts = appended_.find(&parent);
+  if (texts == appended_.end()) return;
   const auto all = children(parent);
   if (is_flow(parent)) {
     const std::size_t at = all.empty() ? places_.offset(parent.end) - 1 : all.back().range.to;
-    return splices_.push_back({{at, at}, (all.empty() ? "" : ", ") + text});
+    const char* comma = are_removed(all) ? "" : ", ";
+    return splices.push_back({{at, at}, fmt::format("{}{}", comma, fmt::join(texts->second, ", "))});
   }
-  if (all.empty()) throw EditRefused("there is no list or map here yet; write it in the text");
+  const std::string line = line_break_ + indent(parent);
+  std::string lines;
+  for (const std::string& text : texts->second) lines += line + (parent.is_list() ? "- " : "") + text;
+  if (are_removed(all))
+    return splices.push_back(
+        {{places_.offset(parent.mark), line_end(all.back().range.to)}, lines.substr(line.size())});
   const std::size_t at = end_of_lines(parent, all.back().range.to);
-  splices_.push_back({{at, at}, line_break_ + indent(parent) + (parent.is_list() ? "- " : "") + text});
+  splices.push_back({{at, at}, std::move(lines)});
 }
 
 void TreeEdits::add(const yaml::Node& map, const std::string& key, const std::string& text) {
@@ -244,10 +263,11 @@ void TreeEdits::remove_line(const yaml::Node& parent, const std::vector<Child>& 
   const bool is_alone = before.find_first_not_of(' ') == dash &&
                         (!parent.is_list() || before.find_first_not_of(' ', dash + 1) == before.npos);
   if (is_alone) {
-    const std::size_t end = std::min(text_.find('\n', range.to), text_.size());
-    const bool is_last_line = end == text_.size();
-    if (is_last_line && from > 0) from -= text_.substr(0, from).ends_with("\r\n") ? 2 : 1;
-    return splices.push_back({{from, is_last_line ? end : end + 1}, ""});
+    // The line break before it is removed, so that a line can be added behind it.
+    if (from == 0)
+      return splices.push_back({{0, std::min(text_.find('\n', range.to), text_.size() - 1) + 1}, ""});
+    from -= text_.substr(0, from).ends_with("\r\n") ? 2 : 1;
+    return splices.push_back({{from, line_end(range.to)}, ""});
   }
   if (index + 1 == all.size())
     throw EditRefused("this stands in one line with others; change it in the text");
@@ -257,9 +277,8 @@ void TreeEdits::remove_line(const yaml::Node& parent, const std::vector<Child>& 
 void TreeEdits::add_removals(const yaml::Node& node, std::vector<Splice>& splices) const {
   const auto all = children(node);
   if (is_flow(node)) return remove_in_flow(all, splices);
-  const bool none_left =
-      std::ranges::all_of(all, [&](const Child& one) { return removed_.contains(one.id); });
-  if (none_left)
+  if (are_removed(all) && appended_.contains(&node)) return;  // they are replaced
+  if (are_removed(all))
     return splices.push_back({{places_.offset(node.mark), all.back().range.to}, node.is_map() ? "{}" : "[]"});
   for (std::size_t i = 0; i < all.size(); ++i)
     if (removed_.contains(all[i].id)) remove_line(node, all, i, splices);
@@ -290,7 +309,16 @@ yaml::Node TreeEdits::expected(const yaml::Node& node) const {
 
 std::vector<Splice> TreeEdits::checked() const {
   std::vector<Splice> splices = splices_;
-  for (const yaml::Node* node : with_removals_) add_removals(*node, splices);
+  std::vector<const yaml::Node*> parents(with_removals_.begin(), with_removals_.end());
+  for (const auto& [parent, texts] : appended_)
+    if (!with_removals_.contains(parent)) parents.push_back(parent);
+  // Texts at the end of an inner value precede those at the end of the value around it.
+  std::ranges::sort(parents, std::greater{},
+                    [&](const yaml::Node* one) { return places_.offset(one->mark); });
+  for (const yaml::Node* node : parents) {
+    if (with_removals_.contains(node)) add_removals(*node, splices);
+    add_appended(*node, splices);
+  }
   std::ranges::stable_sort(splices, {}, &Splice::range);
   try {
     const yaml::Document after = yaml::parse_document(spliced(text_, splices), "");

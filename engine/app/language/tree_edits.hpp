@@ -63,6 +63,8 @@ class TreeEdits {
   void put_in_list(const yaml::Entry& entry);
   std::size_t value_end(const yaml::Node& value, std::size_t key_end) const;
   std::vector<Child> children(const yaml::Node& node) const;
+  bool are_removed(const std::vector<Child>& all) const;
+  void add_appended(const yaml::Node& parent, std::vector<Splice>& splices) const;
   void add_removals(const yaml::Node& node, std::vector<Splice>& splices) const;
   void remove_in_flow(const std::vector<Child>& all, std::vector<Splice>& splices) const;
   void remove_line(const yaml::Node& parent, const std::vector<Child>& all, std::size_t index,
@@ -78,6 +80,7 @@ class TreeEdits {
   std::string line_break_;
   std::map<const yaml::Node*, const yaml::Node*> parents_;
   std::vector<Splice> splices_;
+  std::map<const yaml::Node*, std::vector<std::string>> appended_;  ///< texts at the end of a map or list
   std::map<const yaml::Node*, yaml::Node> replaced_;
   std::map<const yaml::Node*, std::vector<yaml::Entry>> added_;
   std::map<const yaml::Node*, std::vector<yaml::Node>> added_items_;

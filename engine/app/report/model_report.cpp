@@ -14,6 +14,7 @@
 #include "engine/base/subprocess/process.hpp"
 #include "engine/base/subprocess/scratch_folder.hpp"
 #include "engine/model/diagram/bindings.hpp"
+#include "engine/model/diagram/part_alone.hpp"
 #include "engine/model/diagram/uses.hpp"
 #include "engine/view/drawing/draw.hpp"
 #include "engine/view/gallery/gallery_picture.hpp"
@@ -174,11 +175,12 @@ gallery::Report model_report(const Registry& registry, const std::string& file,
   return report;
 }
 
-/// True for a file that is used in others and has no run of its own. A file that cannot be read is none, so
-/// that its fault is shown.
-static bool is_part_file(const std::string& file) {
+/// True for a file that is used in others and has no run of its own, and for one that is no diagram. A file
+/// that cannot be read is none, so that its fault is shown.
+static bool has_no_run(const std::string& file) {
   try {
     const yaml::Document document = yaml::read_document(file);
+    if (diagram::is_other_map(document.root)) return true;
     return !document.root.find("step") && (document.root.find("inputs") || document.root.find("outputs"));
   } catch (const yaml::Error&) {
     return false;
@@ -189,7 +191,7 @@ std::vector<std::string> diagram_files(const std::string& path) {
   if (!fs::is_directory(path)) return {path};
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(path))
-    if (entry.path().extension() == ".yaml" && !is_part_file(entry.path().string()))
+    if (entry.path().extension() == ".yaml" && !has_no_run(entry.path().string()))
       files.push_back(entry.path().string());
   if (files.empty()) throw yaml::Error(yaml::Fault{{path, {}}, "", "has no diagram file, NAME.yaml", {}});
   std::ranges::sort(files);

@@ -115,13 +115,13 @@ std::size_t MutationResult::count(MutationOutcome outcome) const {
 MutationResult mutate(const Registry& registry, const std::string& file, const LoadOptions& options,
                       const Monitor& monitor, unsigned threads) {
   Mutator mutator(registry, file, options, monitor);
-  const std::vector<Mutation> mutations = mutations_of(mutator.model());
+  const auto [mutations, left_out] = mutations_of(mutator.model());
   MutationResult result{file, mutator.model().claims.size()};
-  result.left_out = left_out_of(mutator.model());
+  result.left_out = left_out;
   result.mutations.resize(mutations.size());
   std::vector<char> done(mutations.size(), 0);
   std::atomic<std::size_t> count = 0;
-  parallel::in_parallel(mutations.size(), threads, [&](std::size_t i) {
+  parallel::in_parallel(mutations.size(), threads, [&, &mutations = mutations](std::size_t i) {
     if (monitor.interrupted()) return;
     result.mutations[i] = mutator.tried(mutations[i]);
     done[i] = monitor.interrupted() ? 0 : 1;
@@ -158,7 +158,7 @@ void declare(result::Record<MutationResult>& is) {
   is.field("refused", &MutationResult::refused, "number of those that the file refuses");
   is.field("interrupted", &MutationResult::interrupted, "true if not all were tried");
   is.field("mutations", &MutationResult::mutations, "all mutations");
-  is.field("left_out", &MutationResult::left_out, "own parameters without mutations, each with the reason");
+  is.field("left_out", &MutationResult::left_out, "parameters without mutations, each with the reason");
 }
 
 }  // namespace stepwire::session

@@ -65,75 +65,79 @@ bool is_zero(const std::string& text) {
   return std::strtod(text.c_str(), nullptr) == 0.0;
 }
 
-void add_setting(const std::string& name, const std::string& old, const std::string& version,
-                 diagram::Setting setting, std::vector<Mutation>& all) {
-  Mutation mutation{Mutation::Kind::parameter, "parameter " + name, old};
-  mutation.versions.push_back({version, std::move(setting)});
-  all.push_back(std::move(mutation));
-}
+/// Wrong value of a parameter or of an element of its list.
+struct WrongValue {
+  std::string name;     ///< "lens.2"
+  std::string old;      ///< the number as written
+  std::string version;  ///< the wrong number
+  std::string text;     ///< the wrong value as a whole
+};
 
-/// Adds the wrong versions of a number. One in degC changes on its own scale, since a formula refuses a
+/// Returns the wrong versions of a number. One in degC changes on its own scale, since a formula refuses a
 /// multiple of it.
-void add_number(const std::string& name, const std::string& text, std::vector<Mutation>& all) {
-  const std::string own = text.starts_with("=") ? text.substr(1) : text;
+std::vector<WrongValue> wrong_numbers(const std::string& name, const std::string& text) {
+  const std::string own = text.starts_with("=") || text.starts_with("$") ? text.substr(1) : text;
   const bool is_celsius = own == text && text.ends_with("degC");
-  if (is_celsius && is_zero(text)) return;
+  std::vector<WrongValue> wrong;
+  if (is_celsius && is_zero(text)) return wrong;
   for (const double factor : factors) {
     const std::string formula = fmt::format("{}({})", factor == -1.0 ? "-" : fmt::format("{}*", factor), own);
     const std::string value = is_celsius ? times(factor, text) : formula;
-    add_setting(name, text, value, {name, is_celsius ? value : "= " + formula}, all);
+    wrong.push_back({name, text, value, is_celsius ? value : "= " + formula});
   }
+  return wrong;
 }
 
-/// Returns the numbers of a list such as "[1 m, 2 m]"; an empty list for others.
+/// Returns the numbers of a list such as "[1 m, 2 m]" or "{value: [1, 2], unit: m}"; an empty list for
+/// others.
 std::vector<std::string> elements_of(const std::string& text) try {
   std::vector<std::string> elements;
-  const yaml::Node list = diagram::value_of_text(text, "");
+  const yaml::Node written = diagram::value_of_text(text, "");
+  const yaml::Node *value = written.is_map() ? written.find("value") : nullptr,
+                   *unit = written.is_map() ? written.find("unit") : nullptr;
+  const yaml::Node& list = value ? *value : written;
   for (const yaml::Node& item : list.items) {
-    if (!item.is_scalar() || !unit::parse_quantity(item.text)) return {};
-    elements.push_back(item.text);
+    const auto number = item.is_scalar() ? unit::parse_quantity(item.text) : std::nullopt;
+    if (!number) return {};
+    elements.push_back(unit && !number->dimension ? item.text + " " + unit->text : item.text);
   }
   return elements;
 } catch (const yaml::Error&) {
   return {};
 }
 
-/// Adds the wrong versions of each element of a list but of zeros.
-void add_elements(const std::string& name, const std::vector<std::string>& elements,
-                  std::vector<Mutation>& all) {
+/// Returns the wrong versions of each element of a list but of zeros.
+std::vector<WrongValue> wrong_elements(const std::string& name, const std::vector<std::string>& elements) {
+  std::vector<WrongValue> wrong;
   for (std::size_t i = 0; i < elements.size(); ++i)
     for (const double factor : factors) {
       if (is_zero(elements[i])) continue;
-      std::vector<std::string> wrong = elements;
-      wrong[i] = times(factor, elements[i]);
-      add_setting(fmt::format("{}.{}", name, i + 1), elements[i], wrong[i],
-                  {name, fmt::format("[{}]", fmt::join(wrong, ", "))}, all);
+      std::vector<std::string> list = elements;
+      list[i] = times(factor, elements[i]);
+      wrong.push_back({fmt::format("{}.{}", name, i + 1), elements[i], list[i],
+                       fmt::format("[{}]", fmt::join(list, ", "))});
     }
+  return wrong;
 }
 
-/// Adds the mutations of a parameter. Returns why there are none; empty if there are.
-std::string add_parameter(const diagram::DiagramParameter& parameter, const std::set<std::string>& swept,
-                          std::vector<Mutation>& all) {
-  if (swept.contains(parameter.name)) return "it is swept";
-  const std::size_t before = all.size();
-  const std::vector<std::string> elements = elements_of(parameter.text);
+/// Wrong versions of a parameter, or the reason why there are none.
+struct WrongValues {
+  std::vector<WrongValue> values{};
+  std::string reason{};
+};
+
+WrongValues wrong_values(const diagram::DiagramParameter& parameter, const std::set<std::string>& swept) {
+  if (swept.contains(parameter.name)) return {{}, "it is swept"};
   const double* number = std::get_if<double>(&parameter.value.content);
-  if (!number && elements.empty()) return "its value is no number and no list of plain numbers";
-  if (number && *number != 0.0) add_number(parameter.name, parameter.text, all);
-  add_elements(parameter.name, elements, all);
-  return all.size() == before ? "it is 0" : "";
-}
-
-/// Adds the mutations of all own parameters. Returns those without any, with the reason.
-std::vector<std::string> add_parameters(const LoadedModel& model, std::vector<Mutation>& all) {
-  const std::set<std::string> swept = swept_in(model.job.plan.diagram);
-  std::vector<std::string> left_out;
-  for (const diagram::DiagramParameter& parameter : model.job.plan.diagram.parameters) {
-    if (parameter.name.find('.') != std::string::npos) continue;  // of a part
-    const std::string reason = add_parameter(parameter, swept, all);
-    if (!reason.empty()) left_out.push_back(parameter.name + ": " + reason);
-  }
-  return left_out;
+  const std::vector<std::string> elements = elements_of(parameter.text);
+  if (!number && elements.empty()) return {{}, "its value is no number and no list of plain numbers"};
+  WrongValues wrong;
+  if (!elements.empty())
+    wrong.values = wrong_elements(parameter.name, elements);
+  else if (*number != 0.0)
+    wrong.values = wrong_numbers(parameter.name, parameter.text);
+  if (wrong.values.empty()) wrong.reason = "it is 0";
+  return wrong;
 }
 
 /// Path of a value in a tree of YAML: indices of entries and items.
@@ -163,17 +167,66 @@ void for_each_scalar(
   }
 }
 
-/// Returns a document with another text at a path.
-std::shared_ptr<const yaml::Document> with_text(const yaml::Document& document, const NodePath& path,
-                                                const std::string& text) {
+/// Returns a document with another value at a path.
+std::shared_ptr<const yaml::Document> with_value(const yaml::Document& document, const NodePath& path,
+                                                 yaml::Node value) {
   auto changed = std::make_shared<yaml::Document>(document);
-  node_at(changed->root, path).text = text;
+  yaml::Node& node = node_at(changed->root, path);
+  value.mark = node.mark;
+  node = std::move(value);
   return changed;
 }
 
-/// True for a name such as "lag.u.1" that is no parameter of the block's type, as `variables` is one.
+/// Returns the path of the value that the file gives to a parameter of a part, as "rig.k"; std::nullopt where
+/// it gives none.
+std::optional<NodePath> path_in_part(const yaml::Node& root, const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  NodePath path;
+  const yaml::Node* node = &root;
+  for (const std::string& key : {std::string("blocks"), name.substr(0, dot), name.substr(dot + 1)}) {
+    const auto entry = std::ranges::find(node->entries, key, &yaml::Entry::key);
+    if (entry == node->entries.end()) return std::nullopt;
+    path.push_back(static_cast<std::size_t>(entry - node->entries.begin()));
+    node = &entry->value;
+  }
+  return path;
+}
+
+/// Adds the mutations of all parameters that the file gives a value. Returns those without any, with the
+/// reason.
+std::vector<std::string> add_parameters(const LoadedModel& model, const yaml::Document& document,
+                                        std::vector<Mutation>& all) {
+  const std::set<std::string> swept = swept_in(model.job.plan.diagram);
+  std::vector<std::string> left_out;
+  for (const diagram::DiagramParameter& parameter : model.job.plan.diagram.parameters) {
+    const bool is_of_part = parameter.name.find('.') != std::string::npos;
+    const auto path = is_of_part ? path_in_part(document.root, parameter.name) : std::nullopt;
+    if (is_of_part && !path) continue;  // a value of the part's own file
+    const WrongValues wrong = wrong_values(parameter, swept);
+    if (!wrong.reason.empty()) left_out.push_back(parameter.name + ": " + wrong.reason);
+    for (const WrongValue& one : wrong.values) {
+      Mutation mutation{Mutation::Kind::parameter, "parameter " + one.name, one.old};
+      mutation.versions.push_back({one.version});
+      if (path)
+        mutation.versions.back().document =
+            with_value(document, *path, diagram::value_of_text(one.text, model.file));
+      else
+        mutation.versions.back().setting = diagram::Setting{parameter.name, one.text};
+      all.push_back(std::move(mutation));
+    }
+  }
+  return left_out;
+}
+
+/// True for a name such as "lag.u.1" that is no parameter of the block's type, as `variables` is one, and
+/// none of the part.
 bool is_wire_key(const LoadedModel& model, const std::string& name) {
   if (name.ends_with(".block") || name.ends_with(".diagram")) return false;
+  const auto& parameters = model.job.plan.diagram.parameters;
+  const bool is_of_part = std::ranges::any_of(parameters, [&](const diagram::DiagramParameter& one) {
+    return one.name.find('.') != std::string::npos && (name + ".").starts_with(one.name + ".");
+  });
+  if (is_of_part) return false;
   const std::size_t dot = name.find('.');
   const auto& blocks = model.job.plan.diagram.blocks;
   const auto block = std::ranges::find(blocks, name.substr(0, dot), &diagram::DiagramBlock::name);
@@ -181,8 +234,7 @@ bool is_wire_key(const LoadedModel& model, const std::string& name) {
   return !block->type().parameter(name.substr(dot + 1, name.find('.', dot + 1) - dot - 1));
 }
 
-void add_wires(const LoadedModel& model, std::vector<Mutation>& all) {
-  const yaml::Document document = yaml::read_document(model.file, model.options.limits);
+void add_wires(const LoadedModel& model, const yaml::Document& document, std::vector<Mutation>& all) {
   const yaml::Node* blocks = document.root.find("blocks");
   if (!blocks) return;
   const auto at = std::ranges::find(document.root.entries, std::string("blocks"), &yaml::Entry::key);
@@ -193,8 +245,10 @@ void add_wires(const LoadedModel& model, std::vector<Mutation>& all) {
                     if (node.quoted || !is_wire_key(model, name)) return;
                     Mutation mutation{Mutation::Kind::wire, "wire " + name, node.text};
                     for (const std::string& other : others_like(node.text, signals)) {
+                      yaml::Node source = node;
+                      source.text = other;
                       mutation.versions.push_back({other});
-                      mutation.versions.back().document = with_text(document, path, other);
+                      mutation.versions.back().document = with_value(document, path, std::move(source));
                     }
                     if (!mutation.versions.empty()) all.push_back(std::move(mutation));
                   });
@@ -277,17 +331,13 @@ const char* kind_name(Mutation::Kind kind) {
   return kind == Mutation::Kind::parameter ? "parameter" : kind == Mutation::Kind::wire ? "wire" : "drawn";
 }
 
-std::vector<Mutation> mutations_of(const LoadedModel& model) {
-  std::vector<Mutation> all;
-  add_parameters(model, all);
-  add_wires(model, all);
-  add_drawn(model, all);
-  return all;
-}
-
-std::vector<std::string> left_out_of(const LoadedModel& model) {
-  std::vector<Mutation> none;
-  return add_parameters(model, none);
+Mutations mutations_of(const LoadedModel& model) {
+  const yaml::Document document = yaml::read_document(model.file, model.options.limits);
+  Mutations found;
+  found.left_out = add_parameters(model, document, found.all);
+  add_wires(model, document, found.all);
+  add_drawn(model, found.all);
+  return found;
 }
 
 }  // namespace stepwire::session

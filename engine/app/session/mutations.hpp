@@ -30,11 +30,14 @@ struct Mutation {
 /// Returns "parameter", "wire" or "drawn".
 const char* kind_name(Mutation::Kind kind);
 
-/// Returns the wrong versions of a file: each own number of a parameter doubled, halved and negated; each
-/// wire and each drawn signal from another signal of the same unit.
-std::vector<Mutation> mutations_of(const LoadedModel& model);
+/// Wrong versions of a file.
+struct Mutations {
+  std::vector<Mutation> all{};
+  std::vector<std::string> left_out{};  ///< parameters without any, with the reason: "mode: it is swept"
+};
 
-/// Returns the own parameters that have no mutations, each with the reason: "mode: it is no number".
-std::vector<std::string> left_out_of(const LoadedModel& model);
+/// Returns the wrong versions of a file. Each number of a parameter, also of a part, is doubled, halved and
+/// negated. Each wire and each drawn signal comes from another signal of the same unit.
+Mutations mutations_of(const LoadedModel& model);
 
 }  // namespace stepwire::session

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <vector>
 
+#include "engine/app/session/run_note.hpp"
 #include "engine/app/session/run_result.hpp"
 #include "engine/app/session/session.hpp"
 #include "engine/base/io/file.hpp"
@@ -38,16 +39,20 @@ std::string without_blanks(const std::string& line) {
 class Folder {
  public:
   Folder(std::string folder, const Registry& registry, const Monitor& monitor)
-      : folder_(std::move(folder)), session_(registry, monitor) {}
+      : folder_(std::move(folder)), registry_(registry), session_(registry, monitor) {}
 
   Rejudged compare() {
     if (!has("run.json")) return {};
     if (!has("claims.json")) return {path("claims.json") + ": is missing; every run writes it"};
-    note_ = read("run.json");
+    run_note_.emplace(folder_);
+    note_ = run_note_->content();
+    if (const std::string other = run_note_->difference_from_folder(registry_); !other.empty())
+      return {other};
     const bool is_empty = read("claims.json").items().empty() && !has("study.json");
     const Json* faults = note_.find("faults");
     if (flag_in(note_, "interrupted") || (faults && !faults->items().empty())) return {};
-    if (!read_study() || !load()) return {{}, is_empty ? "" : left_out_};
+    if (!read_study() || !load()) return {difference_, is_empty ? "" : left_out_};
+    if (const std::string other = run_note_->difference_from(model_); !other.empty()) return {other};
     if (is_empty) return compare_number();
     return model_.study ? compare_study() : compare_run();
   }
@@ -94,22 +99,25 @@ class Folder {
         if (flag_in(one, "set")) options.settings.push_back({text_in(one, "name"), text_in(one, "written")});
     try {
       model_ = session_.load(file, options);
-      if (model_.hash != text_in(note_, "hash")) {  // the call may have had --stop
-        const Json* stop = note_.find("stop");
-        options.stop = fmt::format("{} s", stop ? stop->as_number().value_or(0.0) : 0.0);
+      if (model_.hash != text_in(note_, "hash")) {  // the call may have had --stop, or --set step=2ms
+        for (const diagram::Setting& one : RunNote::head_settings(folder_, registry_))
+          options.settings.push_back(one);
         model_ = session_.load(file, options);
       }
     } catch (const yaml::Error&) {
       left_out_ = fmt::format("{} with the values of the run cannot be read now", file);
       return false;
     }
-    if (model_.hash != text_in(note_, "hash")) left_out_ = file + " is another diagram than that of the run";
-    return left_out_.empty();
+    if (model_.hash != text_in(note_, "hash")) difference_ = run_note_->other_hash(file);
+    return difference_.empty();
   }
 
   Rejudged compare_run() {
     const bool is_sweep = !model_.job.points.empty();
-    return compare_claims(is_sweep ? session_.pass(model_) : session_.run(model_));
+    const Outcome outcome = is_sweep ? session_.pass(model_) : session_.run(model_);
+    const std::string ticks =
+        outcome.result.interrupted ? "" : run_note_->difference_in_ticks(outcome.result.ticks);
+    return ticks.empty() ? compare_claims(outcome) : Rejudged{ticks};
   }
 
   Rejudged compare_study() {
@@ -151,11 +159,13 @@ class Folder {
   }
 
   std::string folder_;
+  const Registry& registry_;
   Session session_;
+  std::optional<RunNote> run_note_;
   Json note_;
   study::StudyWords study_;
   LoadedModel model_;
-  std::string left_out_;
+  std::string left_out_, difference_;
 };
 
 }  // namespace

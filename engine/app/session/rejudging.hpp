@@ -26,9 +26,9 @@ struct Rejudged {
   bool interrupted = false;
 };
 
-/// Runs the diagram file of a recorded run again, with the values that were set. Compares claims.json and,
-/// of a study, trials, errors and tables. They are left out if the file is now another diagram than that of
-/// the run. Throws Error and EnvironmentError.
+/// Compares run.json with the flattened diagram of its folder, and with the diagram file of the run. Then the
+/// file runs again with the values that were set, and claims.json is compared; of a study also trials, errors
+/// and tables. Without a readable file these are left out. Throws Error and EnvironmentError.
 Rejudged rejudge(const std::string& folder, const Registry& registry, const Monitor& monitor);
 
 }  // namespace stepwire::session

@@ -65,26 +65,15 @@ bool BlockWriter::is_connected(int input) const {
 }
 
 int BlockWriter::inputs() const {
-  int count = std::atoi(text("PortCounts.in", "0").c_str());
-  const std::string ports = text("Ports");
-  if (count == 0 && !ports.empty() && !ports.starts_with("[]")) count = std::atoi(ports.c_str() + 1);
-  for (int more = count + 1; more <= 1000 && is_connected(more); ++more) count = more;
-  return std::clamp(count, 0, 1000);
+  return model_.inputs_of(*flat_.in, block_);
 }
 
 int BlockWriter::outputs() const {
-  const auto used = flat_.in->outputs.find(block_.sid);
-  const int least = used == flat_.in->outputs.end() ? 0 : std::min(used->second, 1000);
-  return std::max(least, written_outputs());
+  return model_.outputs_of(*flat_.in, block_);
 }
 
 int BlockWriter::written_outputs() const {
-  const std::string given = text("PortCounts.out", "");
-  if (!given.empty()) return std::clamp(std::atoi(given.c_str()), 0, 1000);
-  const std::string ports = text("Ports");
-  const std::size_t comma = ports.find(',');
-  return comma == ports.npos ? ports.starts_with("[") ? 0 : 1
-                             : std::clamp(std::atoi(ports.c_str() + comma + 1), 0, 1000);
+  return model_.written_outputs_of(block_);
 }
 
 std::vector<yaml::Node> BlockWriter::sources() const {

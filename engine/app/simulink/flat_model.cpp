@@ -8,12 +8,13 @@
 #include "engine/app/simulink/ambiguities.hpp"
 #include "engine/app/simulink/matlab.hpp"
 #include "engine/app/simulink/plain_text.hpp"
+#include "engine/base/text/count.hpp"
 
 namespace stepwire::simulink {
 
 namespace {
 
-constexpr int max_hops = 500;
+constexpr int max_hops = 500, most_ports = 1000;
 constexpr char token_start = '\x01', token_end = '\x02';
 
 const std::string ground = "0";
@@ -153,17 +154,32 @@ void FlatModel::add_lines(Instance& instance) {
 
 void FlatModel::add_block(Instance& instance, const Block& block) {
   const std::string commented = text_of(model_, block, "Commented", "off");
-  if (commented != "off")
-    notes_.push_back({commented == "on" ? NoteKind::differs : NoteKind::deviates, instance.path + block.name,
-                      commented == "on" ? "is commented out and left out"
-                                        : "is commented through in Simulink, and acts here"});
-  if (commented == "on") return;
+  if (commented == "on")
+    return notes_.push_back({NoteKind::differs, instance.path + block.name, "is commented out and left out"});
+  if (commented == "through") {
+    if (!has_no_counterpart_of_its_own(block.type)) return pass_through(instance, block);
+    notes_.push_back(
+        {NoteKind::deviates, instance.path + block.name, "is commented through in Simulink, and acts here"});
+  }
   if (block.type == "Goto")
     gotos_.emplace(text_of(model_, block, "GotoTag", "A"), std::pair(&instance, &block));
   if (has_no_counterpart_of_its_own(block.type)) return;
   const bool is_subsystem = block.type == "SubSystem" && obstacle_of(model_, block).empty();
   if (!is_subsystem || is_conditional(*block.system)) add_flat(instance, block);
   if (is_subsystem) add_child(instance, block);
+}
+
+/// Makes wires of a block that is commented through, from each input to the output of its number.
+void FlatModel::pass_through(Instance& instance, const Block& block) {
+  wires_.insert(&block);
+  const int inputs = inputs_of(instance, block), outputs = outputs_of(instance, block);
+  const std::string path = instance.path + block.name;
+  if (inputs == outputs)
+    return notes_.push_back({NoteKind::differs, path, "is commented through, and a wire here"});
+  notes_.push_back({NoteKind::deviates, path,
+                    fmt::format("is commented through and has {} and {}; an output is the input of its "
+                                "number here, and 0 without one",
+                                text::counted(inputs, "input"), text::counted(outputs, "output"))});
 }
 
 void FlatModel::add_flat(Instance& instance, const Block& block) {
@@ -212,6 +228,31 @@ bool FlatModel::is_connected(const Instance& in, const Block& block, const std::
   return in.sources.contains(block.sid + "#" + port);
 }
 
+int FlatModel::inputs_of(const Instance& in, const Block& block) const {
+  int count = std::atoi(text_of(model_, block, "PortCounts.in", "0").c_str());
+  const std::string ports = text_of(model_, block, "Ports", "");
+  if (count == 0 && !ports.empty() && !ports.starts_with("[]")) count = std::atoi(ports.c_str() + 1);
+  for (int more = count + 1; more <= most_ports && is_connected(in, block, fmt::format("in:{}", more));
+       ++more)
+    count = more;
+  return std::clamp(count, 0, most_ports);
+}
+
+int FlatModel::outputs_of(const Instance& in, const Block& block) const {
+  const auto used = in.outputs.find(block.sid);
+  const int least = used == in.outputs.end() ? 0 : std::min(used->second, most_ports);
+  return std::max(least, written_outputs_of(block));
+}
+
+int FlatModel::written_outputs_of(const Block& block) const {
+  const std::string given = text_of(model_, block, "PortCounts.out", "");
+  if (!given.empty()) return std::clamp(std::atoi(given.c_str()), 0, most_ports);
+  const std::string ports = text_of(model_, block, "Ports", "");
+  const std::size_t comma = ports.find(',');
+  return comma == ports.npos ? ports.starts_with("[") ? 0 : 1
+                             : std::clamp(std::atoi(ports.c_str() + comma + 1), 0, most_ports);
+}
+
 std::string FlatModel::signal_name(const Instance& in, const Block& block, const std::string& port) const {
   const auto found = in.sources.find(block.sid + "#" + port);
   if (found == in.sources.end()) return "";
@@ -242,6 +283,7 @@ std::string FlatModel::follow(Instance& in, const LineEnd& end, int depth) {
     return no_source(in.path, fmt::format("has a line from a block '{}' that is not in the file", end.sid));
   const Block& block = *found->second;
   const int port = end.port.starts_with("out:") ? std::atoi(end.port.c_str() + 4) : 0;
+  if (wires_.contains(&block)) return follow_port(in, block, fmt::format("in:{}", port), depth);
   if (const auto flat = in.flat.find(&block); flat != in.flat.end()) return token(flat->second, port);
   if (block.type == "Inport" || block.type == "InportShadow") return follow_inport(in, block, depth);
   if (block.type == "From") return follow_from(in, block, depth);

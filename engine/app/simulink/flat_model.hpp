@@ -96,6 +96,11 @@ class FlatModel {
   /// an unconnected port.
   std::string source(Instance& in, const Block& block, const std::string& port);
   bool is_connected(const Instance& in, const Block& block, const std::string& port) const;
+  /// Returns the number of inputs of a block, by the file and its lines.
+  int inputs_of(const Instance& in, const Block& block) const;
+  /// Returns the number of outputs of a block; written_outputs_of() leaves out its lines.
+  int outputs_of(const Instance& in, const Block& block) const;
+  int written_outputs_of(const Block& block) const;
   /// Returns the name of the signal at an input; empty if it has none.
   std::string signal_name(const Instance& in, const Block& block, const std::string& port) const;
   /// Evaluates a MATLAB text in a system. Throws ValueError.
@@ -115,6 +120,7 @@ class FlatModel {
   void name_input(Instance& instance, const Block& block);
   static void add_lines(Instance& instance);
   void add_block(Instance& instance, const Block& block);
+  void pass_through(Instance& instance, const Block& block);
   void add_flat(Instance& instance, const Block& block);
   void add_child(Instance& instance, const Block& block);
   void open_unit(Instance& child);
@@ -136,6 +142,7 @@ class FlatModel {
   std::vector<std::unique_ptr<Unit>> units_;
   std::unique_ptr<Instance> root_;
   std::multimap<std::string, GotoBlock> gotos_;
+  std::set<const Block*> wires_;  ///< that are commented through
   Unit* evaluating_ = nullptr;
 };
 

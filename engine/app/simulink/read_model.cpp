@@ -62,7 +62,9 @@ class Reader {
           model);
     });
     read_configuration(root, model);
-    read_system(system_of(root), model.root, 0);
+    const xml_node system = system_of(root);
+    if (!system) refuse(path_, "has no <System>, in which the blocks of a model are");
+    read_system(system, model.root, 0);
     model.notes = notes_;
     return model;
   }
@@ -92,8 +94,9 @@ class Reader {
 
   xml_node model_node(const pugi::xml_document& document) const {
     const xml_node top = document.document_element();
-    for (const char* kind : {"Model", "Library"})
-      if (const xml_node node = top.child(kind)) return node;
+    if (const xml_node node = top.child("Model")) return node;
+    if (top.child("Library"))
+      refuse(path_, "is a library of blocks, and no model; import a model that uses its blocks");
     refuse(path_, "has no <Model> in simulink/blockdiagram.xml");
   }
 

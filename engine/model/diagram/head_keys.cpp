@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "engine/model/diagram/uses.hpp"
 
 namespace stepwire::diagram {
@@ -106,13 +108,21 @@ const SolverTable& solver_table() {
   return table;
 }
 
+}  // namespace
+
+bool always_controls_error(const std::string& solver) {
+  static const std::set<std::string> names{"auto", "dop853", "rodas", "radau"};
+  return names.contains(solver);
+}
+
+namespace {
+
 void read_solver(Diagram& diagram, const yaml::Node& node, const HeadReading& read) {
   diagram.solver_origin = read.origin;
   diagram.error_control.reset();
   if (node.is_scalar()) {
     read.take(node, {}, diagram.solver);
-    for (const char* always : {"auto", "dop853", "rodas", "radau"})
-      if (diagram.solver == always) diagram.error_control.emplace();
+    if (always_controls_error(diagram.solver)) diagram.error_control.emplace();
     return;
   }
   ControlledSolver solver;

@@ -31,6 +31,8 @@ struct HeadReading : yaml::SectionReading {
 /// Rows of the head that set members of the diagram; head_form() has all keys.
 const std::vector<yaml::KeyRow<Diagram, HeadReading>>& head_rows();
 const yaml::Key& head_form();
+/// True for a solver that controls its error also where its name is written alone.
+bool always_controls_error(const std::string& solver);
 
 /// Forms of the values under `parameters`, `inputs` and `outputs`, in `record` and in `sweep`.
 const yaml::Key& parameter_form();

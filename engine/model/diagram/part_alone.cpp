@@ -1,7 +1,9 @@
 #include "engine/model/diagram/part_alone.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
+#include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/written.hpp"
 
 namespace stepwire::diagram {
@@ -12,6 +14,12 @@ bool is_part(const yaml::Node& root) {
     for (const yaml::Entry& input : inputs->entries)
       if (!input.value.is_map() || !input.value.find("default")) return true;
   return false;
+}
+
+bool is_other_map(const yaml::Node& root) {
+  return root.is_map() && !root.entries.empty() &&
+         std::ranges::none_of(root.entries,
+                              [](const yaml::Entry& entry) { return head_form().find(entry.key); });
 }
 
 yaml::Document user_of_part(const std::string& path, const yaml::Node& part) {

@@ -151,21 +151,25 @@ function listed(lines) {
 
 const drawnLine = ({line, fill = ink, style = ""}, y) => text(20, y, line, {size: sizeOfLine, anchor: "start", fill, style});
 
+/**
+ * Order of the wires of one source. The first one has the trunk that they share, so it has the look of one that stays. Gone wires
+ * are drawn before new ones, so that a gone wire is below the one in its place.
+ */
+const rank = ({change}) => (change ? (change === "removed" ? 2 : 1) : 0);
+
 /** The picture of two versions as the text of an SVG file: the drawing, a legend, and the changes in words. */
 export async function drawCompared(compared, elk) {
   const picture = await arrange(united(compared), elk);
-  const rank = ({change}) => (change ? (change === "removed" ? 1 : 2) : 0);  // a gone wire is below the one in its place
   picture.wires.sort((a, b) => rank(a) - rank(b));
   const pieces = piecesOf(picture);
-  const hides = (one, wire) => one !== wire && (!one.change || rank(one) > rank(wire));
+  const hides = (one, wire) => one !== wire && rank(one) < rank(wire);
   const othersOf = (wire) => picture.wires.filter((one) => hides(one, wire)).flatMap(({points}) => segmentsOf(points));
   const lines = listed(compared.lines ?? []), left = Math.max(0, (leastWidth - picture.width) / 2);
   const below = picture.height + 24, height = below + 30 + lines.length * stepOfLine;
   const size = {width: Math.max(picture.width + 16, leastWidth, ...lines.map(({line}) => 40 + 6.4 * line.length)), height};
   const drawn = group(`transform="translate(${n(left)} 10)"`, [
     ...pieces.frames.map(({block, svg}) => inColor(svg, block.change)),
-    ...pieces.wires.filter(({wire}) => !wire.change).map(({svg}) => svg),
-    ...pieces.wires.filter(({wire}) => wire.change).map(({wire, svg}) => inColor(svg, wire.change)),
+    ...[0, 2, 1].flatMap((place) => pieces.wires.filter(({wire}) => rank(wire) === place)).map(({wire, svg}) => inColor(svg, wire.change)),
     pieces.forks,
     ...pieces.blocks.map(({block, svg}) => inColor(svg, block.change)),
     ...picture.wires.map((wire) => signOfWire(wire, othersOf(wire))),

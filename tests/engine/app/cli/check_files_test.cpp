@@ -60,3 +60,18 @@ TEST_CASE("a file that is refused leaves no line behind for the next one") {
   CHECK_THAT(done.err, Catch::Contains("a.csv:4: y has no value; say `missing: hold`"));
   CHECK_THAT(done.out, !Catch::Contains("a.csv") && Catch::Contains("  b.csv: separator ','"));
 }
+
+TEST_CASE("a file among several that has no key of a diagram is left out with a note") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  folder.file("accepted.yaml", "baseline: baseline.csv\nsignals:\n  \"*\": {relative: 1 %}\n");
+  for (const std::string verb : {"check", "run"}) {
+    const Done done = run_program(folder, {verb, "accepted.yaml", "lag.yaml"});
+    INFO(done.out << done.err);
+    CHECK(done.code == 0);
+    CHECK(done.err == "note: accepted.yaml: is left out; it has no key of a diagram\n");
+    CHECK_THAT(done.out, Catch::Contains("lag.yaml: "));
+    CHECK(run_program(folder, {verb, "accepted.yaml"}).code == 2);
+  }
+  CHECK_THAT(run_program(folder, {"report", "."}).out, Catch::Contains("report.html: 1 of 1 diagram"));
+}

@@ -215,3 +215,54 @@ TEST_CASE("mutate takes names in variables of a StateMachine for no wires") {
   for (const auto& one : nlohmann::json::parse(done.out)["mutations"])
     CHECK_THAT(one["what"].get<std::string>(), Catch::StartsWith("wire f.u."));
 }
+
+TEST_CASE("mutate changes values of parts and elements of a list with a unit") {
+  const Scratch folder;
+  folder.file(
+      "part.yaml",
+      "stepwire: 1\nparameters: {k: 2 N/m, off: 1 N}\ninputs: {x: {unit: m}}\noutputs: {f: sum}\nblocks:\n"
+      "  g: {block: Gain, u: x, gain: $k}\n  o: {block: Constant, value: $off}\n"
+      "  sum: {block: Sum, signs: \"++\", u: [g, o]}\n");
+  folder.file(
+      "rig.yaml",
+      "stepwire: 1\nstep: 10 ms\nstop: 0.1 s\nparameters: {ends: {value: [1, 2], unit: mm}}\nblocks:\n"
+      "  x: {block: Constant, value: 1 m}\n  ends: {block: Constant, value: $ends}\n"
+      "  rig: {diagram: part.yaml, x: x, k: 5 N/m}\nrecord: [rig, ends]\n"
+      "claims:\n  - {that: one, final: rig, equals: 6 N}\n");
+  const Done done = run_program(folder, {"mutate", "rig.yaml", "--json"});
+  INFO(done.out << done.err);
+  std::vector<std::string> found;
+  const auto result = nlohmann::json::parse(done.out);
+  for (const auto& one : result["mutations"])
+    if (one["kind"] == "parameter")
+      found.push_back(one["what"].get<std::string>() + " " + one["version"].get<std::string>() + " " +
+                      one["outcome"].get<std::string>());
+  CHECK(found ==
+        std::vector<std::string>{"parameter ends.1 2 mm survives", "parameter ends.1 0.5 mm survives",
+                                 "parameter ends.1 -1 mm survives", "parameter ends.2 4 mm survives",
+                                 "parameter ends.2 1 mm survives", "parameter ends.2 -2 mm survives",
+                                 "parameter rig.k 2*(5 N/m) noticed", "parameter rig.k 0.5*(5 N/m) noticed",
+                                 "parameter rig.k -(5 N/m) noticed"});
+}
+
+TEST_CASE(
+    "run --coverage has a sentence for blocks that never run, for a number that stays at 0, and for none") {
+  const Scratch folder;
+  const std::string head = "stepwire: 1\nstep: 0.1 s\nstop: 1 s\nblocks:\n  t: {block: Clock}\n";
+  folder.file("none.yaml", head + "  b: {block: Gain, u: t, gain: 2}\nrecord: b\n");
+  folder.file("idle.yaml",
+              head +
+                  "  off: {block: Constant, value: 0}\n  sat: {block: Saturation, u: t, lower: 0, "
+                  "upper: 0.5, enable: off}\nrecord: sat\n");
+  folder.file("zero.yaml",
+              head + "  z: {block: Gain, u: t, gain: 0}\n  sign: {block: Sign, u: z}\nrecord: sign\n");
+  CHECK_THAT(
+      run_program(folder, {"run", "none.yaml", "--coverage"}).out,
+      Contains("coverage: no block that changes during the run has a condition") && !Contains("0 of 0"));
+  const std::string idle = run_program(folder, {"run", "idle.yaml", "--coverage"}).out;
+  CHECK_THAT(idle, Contains("sat (Saturation): never computed, so none of its 4 branches") &&
+                       !Contains("limit: never"));
+  const std::string zero = run_program(folder, {"run", "zero.yaml", "--coverage"}).out;
+  CHECK_THAT(zero, Contains("sign (Sign): u passes 0: always exactly there, never above or below") &&
+                       !Contains("u passes 0: never"));
+}

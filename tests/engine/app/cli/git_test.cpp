@@ -308,3 +308,21 @@ TEST_CASE("a fault of a version that is merged has the name of its file") {
     CHECK_THAT(done.err, Catch::StartsWith("bad.yaml:7:"));
   }
 }
+
+TEST_CASE("diff --results prints the differences first where a version cannot run") {
+  const Scratch folder;
+  const std::string text =
+      "stepwire: 1\nstep: 1 ms\nstop: 10 ms\nblocks:\n  a: {block: Clock}\n"
+      "  b: {block: Gain, u: a, gain: 2}\nrecord: b\n";
+  folder.file("a.yaml", text);
+  folder.file("b.yaml", text + "  - c\n");
+  folder.file("b.yaml", std::string(text).replace(text.find("gain: 2"), 7, "gain: 3, u2: a"));
+  const Done done = run_program(folder, {"diff", "a.yaml", "b.yaml", "--results"});
+  CHECK(done.code == 2);
+  CHECK_THAT(done.out, Catch::Contains("~ b.gain: 2 -> 3 (1.5 times)"));
+  CHECK_THAT(done.err, Catch::Contains("b.yaml:6:") && Catch::Contains("has no 'u2'"));
+  const Done json = run_program(folder, {"diff", "a.yaml", "b.yaml", "--results", "--json"});
+  CHECK(json.code == 2);
+  CHECK(nlohmann::json::parse(json.out).at("files").size() == 1);
+  CHECK(nlohmann::json::parse(json.out).at("faults").size() == 1);
+}

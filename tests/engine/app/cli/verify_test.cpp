@@ -102,9 +102,8 @@ TEST_CASE("verify judges the claims again, and names the first line of claims.js
   folder.file("out/claims.json", claims);
   change(folder, "lag.yaml", "  lag:", "  other: {block: Constant, value: 1}\n  lag:");
   const Done other = run_program(folder, {"verify", "out"});
-  CHECK(other.code == 0);
-  CHECK_THAT(other.out,
-             Contains("out: claims and tables are not computed again: lag.yaml is another diagram"));
+  CHECK(other.code == 1);
+  CHECK_THAT(other.out, Contains("out/run.json:4: has the hash of another diagram than lag.yaml with"));
   std::filesystem::remove(folder.path("lag.yaml"));
   CHECK_THAT(run_program(folder, {"verify", "out"}).out,
              Contains("lag.yaml with the values of the run cannot be read"));
@@ -153,4 +152,43 @@ TEST_CASE("verify refuses claims.json that is empty or gone where the diagram ha
   const Done gone = run_program(folder, {"verify", "out"});
   CHECK(gone.code == 1);
   CHECK_THAT(gone.out, Contains("out/claims.json: is missing; every run writes it"));
+}
+
+TEST_CASE(
+    "verify names the entry of run.json that is not that of the run, and a changed copy of the diagram") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out", "--set", "tau=0.2 s"}).code < 2);
+  const std::string note = content_of(folder.path("out/run.json")),
+                    flat = content_of(folder.path("out/diagram.yaml"));
+  const auto says = [&](const std::string& from, const std::string& to, const std::string& sentence) {
+    change(folder, "out/run.json", from, to);
+    const Done done = run_program(folder, {"verify", "out"});
+    INFO(done.out << done.err);
+    CHECK(done.code == 1);
+    CHECK_THAT(done.out, Contains("out/run.json:") && Contains(sentence));
+    folder.file("out/run.json", note);
+  };
+  says("\"step\": 0.001", "\"step\": 0.002", "has \"step\": 0.002, and diagram.yaml beside it has 0.001");
+  says("\"stop\": 0.5", "\"stop\": 1.5", "has \"stop\": 1.5");
+  says("\"solver\": \"", "\"solver\": \"x", "has \"solver\": \"x");
+  says("\"ticks\": 500", "\"ticks\": 400", "has \"ticks\": 400, and the run has 500");
+  says("\"hash\": \"", "\"hash\": \"0", "has \"hash\": \"0");
+  says("\"value\": 0.2", "\"value\": 0.3", "the parameter \"tau\" has \"value\": 0.3, and 0.2 by lag.yaml");
+  says("\"written\": \"0.2 s", "\"written\": \"0.3 s", "has the hash of another diagram than lag.yaml");
+  change(folder, "out/diagram.yaml", "title: ", "stop_when: lag > 9\ntitle: ");
+  CHECK_THAT(run_program(folder, {"verify", "out"}).out, Contains("has \"hash\": "));
+  folder.file("out/diagram.yaml", flat);
+  CHECK(run_program(folder, {"verify", "out"}).code == 0);
+}
+
+TEST_CASE("verify agrees with a run whose call had another step and solver") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out", "--set", "step=2 ms", "--set",
+                               "solver=euler", "--stop", "0.2 s"})
+              .code < 2);
+  const Done done = run_program(folder, {"verify", "out"});
+  CHECK(done.code == 0);
+  CHECK(done.out == "out: 2 signals in 101 rows: all bits agree\n");
 }

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/engine/app/difference/comparing.hpp"
@@ -202,6 +205,35 @@ TEST_CASE("a block of another type has the values of both that differ, also defa
 
 TEST_CASE("a file that cannot be read is refused") {
   CHECK_THROWS_AS(compared("stepwire: [", loop_yaml), yaml::Error);
+}
+
+/// A chain of gains with names that begin with a letter.
+static std::string chain(char letter, int count, double gain, const std::string& claims = "") {
+  std::string text = "stepwire: 1\nstep: 1 ms\nstop: 1 s\nblocks:\n  in: {block: Clock}\n";
+  for (int i = 0; i < count; ++i)
+    text += fmt::format("  {}{}: {{block: Gain, u: {}, gain: {}}}\n", letter, i,
+                        i == 0 ? "in" : fmt::format("{}{}", letter, i - 1), gain + i);
+  return text + claims;
+}
+
+TEST_CASE("all of many renamed blocks are found, also where each has another value") {
+  for (const double gain : {2.0, 7.5}) {
+    const Lines found = lines(chain('a', 300, 2.0), chain('b', 300, gain));
+    for (int i = 0; i < 300; ++i)
+      CHECK(std::ranges::count(found, fmt::format("> a{} is now b{}", i, i)) == 1);
+    CHECK(found.size() == (gain == 2.0 ? 300 : 600));
+  }
+}
+
+TEST_CASE("many claims are matched by their text, then by their label") {
+  std::string before = "claims:\n", after = before;
+  for (int i = 0; i < 200; ++i)
+    before += fmt::format("  - {{that: c{}, final: a{}, at_least: {}}}\n", i, i, i);
+  for (int i = 199; i >= 0; --i)
+    after += fmt::format("  - {{that: c{}, final: a{}, at_least: {}}}\n", i, i, i % 2 ? 1000 : i);
+  const Lines found = lines(chain('a', 200, 2.0, before), chain('a', 200, 2.0, after));
+  CHECK(found.size() == 100);
+  CHECK(std::ranges::count(found, "~ 'c7'.at_least: 7 -> 1000 (142.9 times)") == 1);
 }
 
 }  // namespace stepwire::difference

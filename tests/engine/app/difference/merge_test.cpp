@@ -173,4 +173,47 @@ TEST_CASE("a merged model with a fault that neither side has is refused") {
   CHECK(!result.is_clean());
 }
 
+/// Merges a change in another place with one that exchanges the last or only thing of a section.
+static void check_exchange(const std::string& base, const std::string& from, const std::string& to) {
+  INFO(to);
+  const std::string ours = with(base, "amplitude: 3 N", "amplitude: 4 N"), theirs = with(base, from, to);
+  for (const auto& [one, other] : {std::pair{ours, theirs}, {theirs, ours}}) {
+    const Merged result = merged(one, other, base);
+    CHECK(result.conflicts.empty());
+    CHECK(lines(result.text, with(ours, from, to)) == Lines{});
+  }
+}
+
+TEST_CASE("the last block, the only entry in brackets and the only item exchanged merge with other changes") {
+  const std::string end =
+      "stepwire: 1\ntitle: t\nstep: 1 ms\nstop: 1 s\nunits: {push: N}\nrecord: push\n"
+      "claims:\n  - {that: it moves, max: push, at_least: 0 N}\n"
+      "blocks:\n  push: {block: Sine, amplitude: 3 N, frequency: 2 Hz}\n";
+  const std::string flow = end + "  last: {block: Gain, u: push, gain: 2}\n";
+  const std::string lines_of_block = end + "  last:\n    block: Gain\n    u: push\n    gain: 2\n";
+  check_exchange(flow, "last: {block: Gain, u: push, gain: 2}", "z: {block: Constant, value: 7 m}");
+  check_exchange(flow, "units: {push: N}", "units: {last: N}");
+  check_exchange(flow, "{that: it moves, max: push, at_least: 0 N}",
+                 "{that: other, final: last, within: 9 N}");
+  check_exchange(lines_of_block, "  last:\n    block: Gain\n    u: push\n    gain: 2\n",
+                 "  z: {block: Constant, value: 7 m}\n");
+  check_exchange(with(lines_of_block, "3 N", "3 N"), "    gain: 2\n",
+                 "    enable: push\n  more: {block: Constant, value: 1}\n");
+}
+
+TEST_CASE("two panels of one figure that the two sides change merge, also untitled and in brackets") {
+  const std::string figure = "\nfigure: {panels: [{plot: lines, y: push}, {plot: lines, y: spring}]}";
+  const std::string base = loop_yaml.substr(0, loop_yaml.find("\nfigure")) + figure + "\n";
+  const std::string ours = with(base, "y: push", "y: [push, spring]");
+  const std::string theirs = with(base, "y: spring", "y: [spring, push], y_label: force");
+  const Merged result = merged(ours, theirs, base);
+  CHECK(result.conflicts.empty());
+  CHECK(lines(result.text, with(ours, "y: spring}", "y: [spring, push], y_label: force}")) == Lines{});
+  const Merged exchanged =
+      merged(with(base, "{plot: lines, y: push}", "{plot: xy, x: push, y: spring}"),
+             with(base, "{plot: lines, y: spring}", "{plot: xy, x: spring, y: push}"), base);
+  CHECK(exchanged.conflicts.empty());
+  CHECK_THAT(exchanged.text, Contains("[{plot: xy, x: push, y: spring}, {plot: xy, x: spring, y: push}]"));
+}
+
 }  // namespace stepwire::difference

@@ -92,4 +92,13 @@ TEST_CASE("the facts of files with one meaning are one text") {
   CHECK(facts_text(reader.read("a.yaml").root) == facts_text(second.read("a.yaml").root));
 }
 
+TEST_CASE("a map with the name of a solver alone is no difference, unless the map turns error control on") {
+  const std::string base = "stepwire: 1\nstep: 1 ms\nstop: 1 s\nsolver: rodas\nblocks: {a: {block: Clock}}\n";
+  for (const std::string same : {"rodas", "auto", "radau", "dop853", "rk4"})
+    CHECK(lines(with(base, "rodas", same), with(base, "rodas", "{name: " + same + "}")).empty());
+  CHECK(lines(with(base, "rodas", "dormand_prince"), with(base, "rodas", "{name: dormand_prince}")).size() ==
+        1);
+  CHECK(lines(base, with(base, "rodas", "{name: rodas, relative: 1e-3}")).size() == 1);
+}
+
 }  // namespace stepwire::difference

@@ -45,6 +45,21 @@ TEST_CASE("what is no model is refused in one sentence") {
   CHECK_THAT(refusal_of({{"simulink/blockdiagram.xml", "<A/>"}}), Contains("has no <Model>"));
 }
 
+TEST_CASE("a library, a model without a system and a cut archive are refused with their cause") {
+  const std::string main = "simulink/blockdiagram.xml";
+  CHECK_THAT(refusal_of({{main, "<ModelInformation><Library><System/></Library></ModelInformation>"}}),
+             Contains("is a library of blocks, and no model"));
+  CHECK_THAT(refusal_of({{main, "<ModelInformation><Model/></ModelInformation>"}}),
+             Contains("has no <System>"));
+  CHECK_THAT(refusal_of({{main, "<ModelInformation><Model><Sys"}}),
+             Contains("has a damaged simulink/blockdiagram.xml"));
+  const Scratch folder;
+  const std::string whole =
+      content_of(testing::write_zip(folder.path("a.slx"), entries_of({number(1, "1")})));
+  for (const std::size_t length : {std::size_t{0}, std::size_t{4}, whole.size() / 2, whole.size() - 10})
+    CHECK_THAT(refusal(folder.file("cut.slx", whole.substr(0, length))), Contains("zip archive"));
+}
+
 TEST_CASE("damaged and hostile XML is refused") {
   CHECK_THAT(refusal_of(changed("simulink/systems/system_root.xml", "<System><Block")),
              Contains("has a damaged simulink/systems/system_root.xml"));

@@ -351,13 +351,21 @@ TEST_CASE("a run that begins or ends elsewhere is said, and the import is not fi
   says({{"StartTime", "0.5"}}, {}, "begins at 0.5 s in Simulink, and at 0 here");
 }
 
-TEST_CASE("a block that is commented through makes another run, one that is commented out does not") {
-  const auto imported = [](const char* commented) {
-    return Imported(ModelText{number(1, "1") + block("Gain", "G", 9, {{"Commented", commented}}) +
-                              line("1#out:1", {"9#in:1"})});
+TEST_CASE("a block that is commented through is a wire, one that is commented out is left out") {
+  const auto imported = [](const char* commented, const std::string& type, const std::string& ports) {
+    return Imported(ModelText{
+        number(1, "1") + number(2, "7") + block(type, "G", 9, {{"Commented", commented}, {"Ports", ports}}) +
+        sink(4) + line("1#out:1", {"9#in:1"}) + line("2#out:1", {"9#in:2"}) + line("9#out:1", {"4#in:1"})});
   };
-  CHECK_THAT(imported("through").notes(NoteKind::deviates), Contains("is commented through in Simulink"));
-  CHECK_FALSE(imported("on").result.is_unfinished());
+  const Imported gain = imported("through", "Gain", "[2, 2]");
+  CHECK_FALSE(gain.result.is_unfinished());
+  CHECK_THAT(gain.notes(NoteKind::differs), Contains("is commented through, and a wire here"));
+  CHECK_THAT(gain.text(), Contains("{y: Constant1}") && !Contains("Gain"));
+  const Imported sum = imported("through", "Sum", "[2, 1]");
+  CHECK(sum.result.is_unfinished());
+  CHECK_THAT(sum.notes(NoteKind::deviates),
+             Contains("is commented through and has 2 inputs and 1 output; an output is the input of its"));
+  CHECK_FALSE(imported("on", "Gain", "[2, 1]").text().find("Gain") != std::string::npos);
 }
 
 TEST_CASE("the placeholder of a resettable subsystem has its port Reset") {

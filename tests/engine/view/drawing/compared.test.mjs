@@ -63,6 +63,17 @@ test("a new wire is drawn above the gone one in its place", async () => {
   assert.ok(strokes[0] >= 0 && strokes[0] < strokes[1]);
 });
 
+test("a trunk has the look of a branch that stays or comes, and a gone branch begins at the fork", async () => {
+  const ids = ["a", "b", "c", "d"], before = graph(ids, [["a", "b"], ["a", "c"]]);
+  const begins = (svg, look) => [...svg.matchAll(new RegExp(`<g fill="none" stroke="${look}"[^>]*>\\s*<path d="M([\\d.]+)`, "g"))].map(([, x]) => Number(x));
+  for (const [sink, look] of [["b", "#1a1a1a"], ["d", looks.added.color]]) {
+    const svg = await drawCompared({before, after: graph(ids, [["a", sink]])}, elk);
+    const gone = begins(svg, looks.removed.color), trunk = Math.min(...begins(svg, look));
+    assert.ok(gone.length > 0);
+    assert.ok(gone.every((x) => x > trunk), `${gone} is right of ${trunk}`);
+  }
+});
+
 test("the sign of a changed triangle is at a corner of its base", async () => {
   const gain = {...block("b"), outline: "triangle"}, version = {...chain, nodes: [chain.nodes[0], gain, chain.nodes[2]]};
   const svg = await drawCompared({before: version, after: version, changed: ["b.gain"]}, elk);
