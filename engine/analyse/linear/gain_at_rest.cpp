@@ -65,8 +65,12 @@ class Resolvent {
     return both;
   }
 
-  /// Returns the response at a real point; std::nullopt if rounding of the numbers of T may change it.
-  std::optional<double> gain_at(double point) const {
+  struct Gain {
+    double value;
+    bool sure;  ///< Rounding of the numbers of T changes it little.
+  };
+  /// Returns the response at a real point; std::nullopt if rounding of the numbers of T may change it much.
+  std::optional<Gain> gain_at(double point) const {
     constexpr double rounding = 1e-15, least = 1e-6;
     const auto solved = at(point);
     if (!solved) return std::nullopt;
@@ -80,7 +84,7 @@ class Resolvent {
     const double size = out_of_.cwiseAbs().dot(x.cwiseAbs()) + std::abs(direct());
     if (!(change <= least * size)) return std::nullopt;
     const double gain = out_of_.dot(x) + direct();
-    return std::abs(gain) > change ? gain : 0.0;
+    return Gain{std::abs(gain) > change ? gain : 0.0, change <= 1e-4 * std::abs(gain)};
   }
 
  private:
@@ -243,12 +247,12 @@ double gain_at_rest(const StateSpace& system) {
   if (!system.A.allFinite()) return undecided;
   if (system.A.size() == 0 && system.delays.empty()) return system.D(0, 0);
   const Resolvent resolvent(system);
-  const std::optional<double> direct = resolvent.gain_at(centre);
-  if (direct && !resolvent.is_near_pole(centre)) return *direct;
+  const auto direct = resolvent.gain_at(centre);
+  if (direct && (direct->sure || !resolvent.is_near_pole(centre))) return direct->value;
   const Surroundings near = surroundings_of(poles_of(system), centre);
-  if (direct && near.most == 0 && (*direct != 0.0 || near.close == 0)) return *direct;
-  if (near.most == 0) return limit_by_circles(system, centre, near, near.close);
-  const double limit = limit_by_circles(system, centre, near, near.fewest);
+  if (direct && near.most == 0 && near.close == 0) return direct->value;
+  const bool cancels = direct && near.most == 0;
+  const double limit = limit_by_circles(system, centre, near, cancels ? near.close : near.fewest);
   if (near.most == near.fewest) return limit;
   const double other = limit_by_circles(system, centre, near, near.most);
   return limit == other || std::abs(limit - other) <= 1e-6 * std::abs(limit) ? limit : undecided;

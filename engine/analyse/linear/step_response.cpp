@@ -221,7 +221,8 @@ class HeldStep {
     const Eigen::Index n = system_.A.rows();
     const double y = (system_.C * x_.head(n))(0) + system_.D(0, 0);
     const double slope = system_.is_sampled() ? 0.0 : (system_.C * (system_.A * x_.head(n) + system_.B))(0);
-    if (!curve.x.empty()) add_extreme(curve, time, y, slope_, slope);
+    const bool is_dense = !curve.x.empty() && time - curve.x.back() <= 5.0 * times_.spacing(time);
+    if (is_dense) add_extreme(curve, time, y, slope_, slope);
     slope_ = slope;
     curve.x.push_back(time);
     curve.y.push_back(y);

@@ -222,8 +222,8 @@ TEST_CASE("no claim holds by a root of a negative number in a comparison, a choi
   const auto negative = record_of({0, 1, 2}, {-1, -2, -3});
   for (const std::string text :
        {"fraction: sqrt(rig.x/1 m) > -1, at_most: 0.1", "count: log(rig.x/1 m) > -1, equals: 0",
-        "final: sqrt(rig.x/1 m) < 1 ? 1 : 0, equals: 0", "final: sqrt(rig.x/1 m) != 3, equals: 1",
-        "max: min(sqrt(rig.x/1 m), 1), at_most: 2", "fraction: !(sqrt(rig.x/1 m) > 1), equals: 1",
+        "final: 'sqrt(rig.x/1 m) < 1 ? 1 : 0', equals: 0", "final: sqrt(rig.x/1 m) != 3, equals: 1",
+        "max: 'min(sqrt(rig.x/1 m), 1)', at_most: 2", "fraction: '!(sqrt(rig.x/1 m) > 1)', equals: 1",
         "fraction: rig.x < 0 m && sqrt(rig.x/1 m) < 2, equals: 0"}) {
     INFO(text);
     CHECK_FALSE(verdict_of(text, negative).holds);

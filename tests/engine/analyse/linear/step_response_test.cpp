@@ -10,38 +10,36 @@ namespace stepwire::linear {
 
 namespace {
 
-using std::numbers::pi;
-
-StateSpace system_of(const Eigen::MatrixXd& A, const Eigen::VectorXd& B, const Eigen::RowVectorXd& C,
-                     double sample_time = 0.0) {
+StateSpace siso(const Eigen::MatrixXd& A, const Eigen::VectorXd& B, const Eigen::RowVectorXd& C,
+                double sample_time = 0.0) {
   StateSpace system{A, B, C, Eigen::MatrixXd::Zero(1, 1), {}, {{"u", ""}}, {{"y", ""}}, sample_time};
   for (Eigen::Index i = 0; i < A.rows(); ++i) system.states.push_back({"x", ""});
   return system;
 }
 
 /// Returns the value of a curve between its rows.
-double at(const ResponseCurve& curve, double x) {
+double between_rows(const ResponseCurve& curve, double x) {
   const auto next = std::ranges::upper_bound(curve.x, x);
   const auto i = static_cast<std::size_t>(next - curve.x.begin());
   const double part = (x - curve.x[i - 1]) / (curve.x[i] - curve.x[i - 1]);
   return curve.y[i - 1] + part * (curve.y[i] - curve.y[i - 1]);
 }
 
-constexpr double swing = 100.0, decay = 5.0;  // [rad/s], [1/s]
+constexpr double swing = 100.0, swing_decay = 5.0;  // [rad/s], [1/s]
 
 /// A swing of 100 rad/s beside a lag of 100 s with the gain 0.05.
 StateSpace swing_beside_lag() {
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(3, 3);
   A(0, 1) = 1.0;
-  A(1, 0) = -(swing * swing + decay * decay);
-  A(1, 1) = -2.0 * decay;
+  A(1, 0) = -(swing * swing + swing_decay * swing_decay);
+  A(1, 1) = -2.0 * swing_decay;
   A(2, 2) = -0.01;
-  return system_of(A, Eigen::Vector3d(0.0, -A(1, 0), 0.0005), Eigen::RowVector3d(1.0, 0.0, 1.0));
+  return siso(A, Eigen::Vector3d(0.0, -A(1, 0), 0.0005), Eigen::RowVector3d(1.0, 0.0, 1.0));
 }
 
-double closed_form(double t) {
+double swing_and_lag(double t) {
   const double fast =
-      1.0 - std::exp(-decay * t) * (std::cos(swing * t) + decay / swing * std::sin(swing * t));
+      1.0 - std::exp(-swing_decay * t) * (std::cos(swing * t) + swing_decay / swing * std::sin(swing * t));
   return fast - 0.05 * std::expm1(-0.01 * t);
 }
 
@@ -49,11 +47,11 @@ double closed_form(double t) {
 
 TEST_CASE("a fast swing is seen beside a slow tail") {
   const ResponseCurve curve = step_response(swing_beside_lag());
-  CHECK(*std::ranges::max_element(curve.y) == Approx(closed_form(pi / swing)).epsilon(1e-7));
+  CHECK(*std::ranges::max_element(curve.y) == Approx(swing_and_lag(std::numbers::pi / swing)).epsilon(1e-7));
   CHECK(curve.x.back() >= 800.0);
   for (const double t : {1e-3, 7.7e-3, 0.0314, 0.123, 0.777, 3.0, 99.0, 512.0}) {
     INFO(t);
-    CHECK(at(curve, t) == Approx(closed_form(t)).margin(1e-3));
+    CHECK(between_rows(curve, t) == Approx(swing_and_lag(t)).margin(1e-3));
   }
 }
 
@@ -61,11 +59,11 @@ TEST_CASE("a peak between two rows is a row") {
   // The peak of a swing of damping 0.2 is 1 + exp(-pi 0.2/sqrt(1 - 0.04)), at pi/sqrt(1 - 0.04).
   const double damping = 0.2, damped = std::sqrt(1.0 - damping * damping);
   const Eigen::MatrixXd A = Eigen::Matrix2d{{0.0, 1.0}, {-1.0, -2.0 * damping}};
-  const ResponseCurve curve =
-      step_response(system_of(A, Eigen::Vector2d(0.0, 1.0), Eigen::RowVector2d(1.0, 0.0)));
+  const ResponseCurve curve = step_response(siso(A, Eigen::Vector2d(0.0, 1.0), Eigen::RowVector2d(1.0, 0.0)));
   const auto peak = std::ranges::max_element(curve.y);
-  CHECK(*peak == Approx(1.0 + std::exp(-pi * damping / damped)).epsilon(1e-8));
-  CHECK(curve.x[static_cast<std::size_t>(peak - curve.y.begin())] == Approx(pi / damped).epsilon(1e-6));
+  CHECK(*peak == Approx(1.0 + std::exp(-std::numbers::pi * damping / damped)).epsilon(1e-8));
+  CHECK(curve.x[static_cast<std::size_t>(peak - curve.y.begin())] ==
+        Approx(std::numbers::pi / damped).epsilon(1e-6));
   CHECK(std::ranges::is_sorted(curve.x));
 }
 
@@ -74,26 +72,26 @@ TEST_CASE("a response lasts until a slow mode of a large part is over") {
   const Eigen::MatrixXd A = Eigen::Vector2d(-1.0, -1e4).asDiagonal();
   const double fast = 1e4 * (1.0 - 10.0 * 1e4) / (1.0 - 1e4), slow = (1.0 - 10.0) * 1e4 / (1e4 - 1.0);
   const ResponseCurve curve =
-      step_response(system_of(A, Eigen::Vector2d(slow, fast), Eigen::RowVector2d(1.0, 1.0)));
+      step_response(siso(A, Eigen::Vector2d(slow, fast), Eigen::RowVector2d(1.0, 1.0)));
   CHECK(curve.y.back() == Approx(1.0).margin(6e-4));
-  CHECK(at(curve, 3.0) == Approx(1.0 + 9.0 * std::exp(-3.0)).epsilon(1e-3));
+  CHECK(between_rows(curve, 3.0) == Approx(1.0 + 9.0 * std::exp(-3.0)).epsilon(1e-3));
 }
 
 TEST_CASE("rows do not multiply without end where a swing hardly decays") {
   const double damping = 1e-5;
   const Eigen::MatrixXd A = Eigen::Matrix2d{{0.0, 1.0}, {-1.0, -2.0 * damping}};
-  const ResponseCurve curve =
-      step_response(system_of(A, Eigen::Vector2d(0.0, 1.0), Eigen::RowVector2d(1.0, 0.0)));
+  const ResponseCurve curve = step_response(siso(A, Eigen::Vector2d(0.0, 1.0), Eigen::RowVector2d(1.0, 0.0)));
   CHECK(curve.x.size() < 100'000);
   CHECK(curve.x.back() >= 8.0 / damping * (1.0 - 1e-9));
-  CHECK(*std::ranges::max_element(curve.y) == Approx(1.0 + std::exp(-pi * damping)).epsilon(1e-7));
+  CHECK(*std::ranges::max_element(curve.y) ==
+        Approx(1.0 + std::exp(-std::numbers::pi * damping)).epsilon(1e-7));
 }
 
 TEST_CASE("a sampled response lasts until its slowest mode is over") {
   // 1e-5/(z - 0.99999), a time constant of 100,000 samples.
   const ResponseCurve curve =
-      step_response(system_of(Eigen::MatrixXd::Constant(1, 1, 0.99999), Eigen::VectorXd::Constant(1, 1e-5),
-                              Eigen::RowVectorXd::Ones(1), 1e-3));
+      step_response(siso(Eigen::MatrixXd::Constant(1, 1, 0.99999), Eigen::VectorXd::Constant(1, 1e-5),
+                         Eigen::RowVectorXd::Ones(1), 1e-3));
   CHECK(curve.x.back() >= 799.0);
   CHECK(curve.x.size() < 10'000);
   for (std::size_t i = 0; i < curve.x.size(); ++i)
