@@ -78,7 +78,7 @@ TEST_CASE("the worst run is shown for a final value") {
   CHECK(verdict.shown == "7 m, the worst of 3 runs");
   CHECK_FALSE(verdict.holds);
   CHECK(verdict_of("final: rig.x, at_least: 5 m", records).holds);
-  CHECK(verdict_of("at: {time: 0.9, value: rig.x}, equals: 6, within: 1", records).value == 5.0);
+  CHECK(verdict_of("at: {time: 1 s, value: rig.x}, equals: 6, within: 1", records).value == 5.0);
 }
 
 TEST_CASE("max, min, spread, fraction and count are what they say") {
