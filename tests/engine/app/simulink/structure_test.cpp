@@ -365,7 +365,10 @@ TEST_CASE("a block that is commented through is a wire, one that is commented ou
   CHECK(sum.result.is_unfinished());
   CHECK_THAT(sum.notes(NoteKind::deviates),
              Contains("is commented through and has 2 inputs and 1 output; an output is the input of its"));
-  CHECK_FALSE(imported("on", "Gain", "[2, 1]").text().find("Gain") != std::string::npos);
+  const Imported out(
+      ModelText{number(1, "1") + block("Gain", "G", 9, {{"Commented", "on"}}) + line("1#out:1", {"9#in:1"})});
+  CHECK_FALSE(out.result.is_unfinished());
+  CHECK_THAT(out.text(), !Contains("Gain"));
 }
 
 TEST_CASE("the placeholder of a resettable subsystem has its port Reset") {
