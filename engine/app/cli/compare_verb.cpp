@@ -23,9 +23,7 @@ struct CompareWords {
 };
 
 void write_picture(const std::string& file, const session::ComparedRuns& runs) {
-  const std::string ending = std::filesystem::path(file).extension().string();
-  const auto kind =
-      render::picture_kind(ending.empty() ? "" : ending.substr(1)).value_or(render::PictureKind::svg);
+  const render::PictureKind kind = render::picture_kind_of(file);
   render::require_converter({kind});
   io::write_file(file, render::converted(render::render(report::comparison_figure(runs)).svg, kind));
 }

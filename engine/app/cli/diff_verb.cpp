@@ -61,9 +61,7 @@ void draw(const DiffCall& call, const Registry& registry, const std::string& fro
           const Difference& found) {
   if (call.out.empty()) return;
   if (fs::is_directory(from) || fs::is_directory(to)) throw wrong_call("draws two files, not folders");
-  const std::string ending = fs::path(call.out).extension().string();
-  const auto kind =
-      render::picture_kind(ending.empty() ? "" : ending.substr(1)).value_or(render::PictureKind::svg);
+  const render::PictureKind kind = render::picture_kind_of(call.out);
   keep_inputs(call.out, std::vector{from, to});
   const std::string picture = difference::difference_picture(registry, from, to, found);
   io::write_file(call.out, render::converted(picture, kind));

@@ -30,19 +30,13 @@ void require_names(const DrawCall& call, const drawing::DiagramView& view) {
   faults.throw_if_any();
 }
 
-/// Returns the picture format by the file extension; SVG for unknown ones.
-render::PictureKind kind_of(const DrawCall& call) {
-  const std::string ending = std::filesystem::path(call.out).extension().string();
-  return render::picture_kind(ending.empty() ? "" : ending.substr(1)).value_or(render::PictureKind::svg);
-}
-
 ExitCode draw(const DrawCall& call, diagram::Loader& loader) {
   const drawing::DrawnFile file(loader, call.file);
   require_names(call, file.view());
   keep_inputs(call.out, loader.paths());
   const EndDelay delay(EndDelay::Signals::first);
+  const auto kind = call.json ? render::PictureKind::svg : render::picture_kind_of(call.out);
   const json::Json graph = file.view().graph(call.options);
-  const render::PictureKind kind = kind_of(call);
   const std::string text =
       call.json ? graph.text() + "\n" : render::converted(drawing::draw_picture(graph), kind);
   if (call.out.empty()) {

@@ -11,6 +11,7 @@
 #include "engine/app/report/model_report.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/text/count.hpp"
+#include "engine/base/yaml/error.hpp"
 
 namespace stepwire::cli {
 namespace {
@@ -30,7 +31,21 @@ ExitCode code_of_report(const gallery::Report& report) {
   return ExitCode::done;
 }
 
+bool is_pdf(const std::string& file) {
+  return std::filesystem::path(file).extension() == ".pdf";
+}
+
+/// Throws yaml::Error for names whose ending does not say what is written, before anything runs.
+void require_names(const ReportCall& call) {
+  const std::string ending = std::filesystem::path(call.out).extension().string();
+  if (ending != ".html" && ending != ".htm" && ending != ".pdf")
+    throw yaml::Error(yaml::Fault{{call.out, {}}, "", "a page is a .html or .pdf file", {}});
+  if (!call.pdf.empty() && !is_pdf(call.pdf))
+    throw yaml::Error(yaml::Fault{{call.pdf, {}}, "", "--pdf takes a .pdf file", {}});
+}
+
 ExitCode write_report(const ReportCall& call, const Registry& registry) {
+  require_names(call);
   const EndDelay delay(EndDelay::Signals::first);
   const std::vector<std::string> files = report::diagram_files(call.path);
   const session::LoadOptions options = load_options(call.words);
@@ -44,7 +59,10 @@ ExitCode write_report(const ReportCall& call, const Registry& registry) {
   }
   const std::string title = reports.size() == 1 ? reports.front().entry.title : call.path;
   const std::string page = gallery::report_page(title, reports);
-  io::write_file(call.out, page);
+  if (is_pdf(call.out))
+    report::print_page(page, call.out);
+  else
+    io::write_file(call.out, page);
   say("{}: {} of {}\n", call.out, reports.size(), text::counted(files.size(), "diagram"));
   if (call.pdf.empty()) return code;
   report::print_page(page, call.pdf);
@@ -55,7 +73,9 @@ ExitCode write_report(const ReportCall& call, const Registry& registry) {
 Action declare_report(CLI::App& verb) {
   const auto call = std::make_shared<ReportCall>();
   verb.add_option("FILE|DIR", call->path, "a diagram file, or a folder of them")->required();
-  verb.add_option("-o", call->out, "page to write")->capture_default_str()->type_name("FILE");
+  verb.add_option("-o", call->out, "page to write, HTML or PDF by its ending")
+      ->capture_default_str()
+      ->type_name("FILE");
   verb.add_option("--pdf", call->pdf, "file for the same as PDF, printed by Chromium")->type_name("FILE");
   add_load_options(verb, call->words);
   return [call](const Registry& registry) { return guarded([&] { return write_report(*call, registry); }); };

@@ -33,7 +33,8 @@ class Builder {
   bool end_object() { return close(); }
   bool end_array() { return close(); }
   bool parse_error(std::size_t, const std::string&, const In::exception& error) {
-    throw JsonError(error.what());
+    const std::string_view text = error.what();  // "[json.exception.parse_error.101] parse error at ..."
+    throw JsonError(std::string(text.substr(text.find("] ") + 2)));
   }
 
   Json done() { return std::move(whole_); }

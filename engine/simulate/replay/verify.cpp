@@ -43,10 +43,18 @@ std::size_t run_number(const yaml::Node& node, std::size_t runs, const std::stri
       yaml::Fault{{file, node.mark}, "recorded_runs", "has a run that is none of those of 'runs'", {}});
 }
 
+/// Reads run.json; JSON is a subset of YAML. Throws Error for one that is cut short.
+yaml::Node read_json(const std::string& file) try {
+  return yaml::read_document(file, wide_limits).root;
+} catch (const yaml::Error& error) {
+  throw yaml::Error(yaml::Fault{
+      error.faults().front().place, "", "the text is cut short or was edited; what is there is no JSON", {}});
+}
+
 /// Throws Error if the file lacks an entry that every run writes.
 RunNote read_run_note(const std::string& file) {
   RunNote note;
-  note.document = yaml::read_document(file, wide_limits).root;  // JSON is a subset of YAML
+  note.document = read_json(file);
   const yaml::Node *sweep = note.document.find("sweep"), *runs = note.document.find("runs");
   const auto count = runs ? unit::parse_quantity(runs->text) : std::nullopt;
   if (!sweep || !count || !(count->value >= 1.0 && count->value < 1e9))
@@ -219,8 +227,8 @@ class Verifier {
   std::vector<yaml::Fault> missing_blocksets() const {
     std::vector<yaml::Fault> missing;
     if (!has("run.json")) return missing;
-    const yaml::Document note = yaml::read_document(path("run.json"), wide_limits);
-    const yaml::Node* folders = note.root.find("block_folders");
+    const yaml::Node note = read_json(path("run.json"));
+    const yaml::Node* folders = note.find("block_folders");
     if (!folders) return missing;
     for (const yaml::Node& folder : folders->items)
       if (std::ranges::find(registry_.blocksets(), folder.text) == registry_.blocksets().end())

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/subprocess/process.hpp"
+#include "engine/base/yaml/error.hpp"
 
 namespace stepwire::render {
 
@@ -25,6 +27,14 @@ std::optional<PictureKind> picture_kind(const std::string& name) {
   const auto known = std::ranges::find(kind_names, name);
   if (known == kind_names.end()) return std::nullopt;
   return static_cast<PictureKind>(known - kind_names.begin());
+}
+
+PictureKind picture_kind_of(const std::string& file) {
+  if (file.empty()) return PictureKind::svg;
+  const std::string ending = std::filesystem::path(file).extension().string();
+  if (const auto kind = picture_kind(ending.empty() ? "" : ending.substr(1))) return *kind;
+  throw yaml::Error(yaml::Fault{
+      {file, {}}, "", fmt::format("a picture is a .svg, .png or .pdf file, not '{}'", ending), {}});
 }
 
 std::string picture_kind_names() {

@@ -15,6 +15,9 @@ inline const PictureKinds usual_pictures{PictureKind::svg};
 
 /// Returns a kind by its name; std::nullopt for any other word.
 std::optional<PictureKind> picture_kind(const std::string& name);
+/// Returns the kind by the ending of a file; SVG where `file` is empty. Throws yaml::Error for any other
+/// ending, so that no file gets the bytes of another format.
+PictureKind picture_kind_of(const std::string& file);
 /// Returns "svg, png, pdf".
 std::string picture_kind_names();
 /// Returns ".png".

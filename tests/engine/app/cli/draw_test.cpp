@@ -1,4 +1,7 @@
 #include <catch2/catch.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
 
 #include "tests/engine/app/cli/program.hpp"
 
@@ -75,4 +78,21 @@ TEST_CASE("a drawing of more blocks than can be laid out is refused, and fewer p
   CHECK(refused.code == 2);
   CHECK_THAT(refused.err, Contains("part0.yaml: more than 2000 blocks would be drawn; open fewer parts"));
   CHECK(run_program(folder, {"draw", "part0.yaml", "--depth", "2"}).code == 0);
+}
+
+TEST_CASE("a picture with the ending of another format is refused by draw, diff and compare") {
+  const Scratch folder;
+  write_rig(folder);
+  folder.file("a.csv", "time [s],x\n0,1\n1,2\n");
+  using Words = std::vector<std::string>;
+  for (const Words& words :
+       {Words{"draw", "rig.yaml"}, {"diff", "rig.yaml", "part.yaml"}, {"compare", "a.csv", "a.csv"}}) {
+    Call call;
+    call.arguments = words;
+    call.arguments.insert(call.arguments.end(), {"-o", "rig.gif"});
+    const Done done = run_program(folder, call);
+    CHECK(done.code == 2);
+    CHECK_THAT(done.err, Contains("rig.gif: a picture is a .svg, .png or .pdf file, not '.gif'"));
+    CHECK(!std::filesystem::exists(folder.path("rig.gif")));
+  }
 }

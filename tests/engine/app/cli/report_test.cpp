@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <filesystem>
 
 #include "engine/base/subprocess/process.hpp"
 #include "tests/engine/app/cli/program.hpp"
@@ -56,5 +57,18 @@ TEST_CASE("report --pdf prints the page, or says what is missing") {
   const Done done = run_program(folder, {"report", "lag.yaml", "-o", "lag.html", "--pdf", "lag.pdf"});
   INFO(done.out << done.err);
   CHECK(done.code == 0);
+  CHECK(content_of(folder.path("lag.pdf")).starts_with("%PDF"));
+}
+
+TEST_CASE("report writes the format that the name says, and refuses other names before it runs") {
+  const Scratch folder;
+  folder.file("lag.yaml", limited_lag);
+  const Done other = run_program(folder, {"report", "lag.yaml", "-o", "lag.txt"});
+  CHECK(other.code == 2);
+  CHECK(other.err == "lag.txt: a page is a .html or .pdf file\n");
+  CHECK(run_program(folder, {"report", "lag.yaml", "--pdf", "lag.html"}).code == 2);
+  CHECK(!std::filesystem::exists(folder.path("lag.html")));
+  if (stepwire::subprocess::find_program("chromium").empty()) return;
+  CHECK(run_program(folder, {"report", "lag.yaml", "-o", "lag.pdf"}).code == 0);
   CHECK(content_of(folder.path("lag.pdf")).starts_with("%PDF"));
 }

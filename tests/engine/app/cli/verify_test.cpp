@@ -192,3 +192,17 @@ TEST_CASE("verify agrees with a run whose call had another step and solver") {
   CHECK(done.code == 0);
   CHECK(done.out == "out: 2 signals in 101 rows: all bits agree\n");
 }
+
+TEST_CASE("verify says that run.json is cut short, wherever it was cut") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out"}).code == 0);
+  const std::string whole = content_of(folder.path("out/run.json"));
+  for (const std::size_t left : {std::size_t{5}, whole.size() / 3, whole.size() / 2, whole.size() - 3}) {
+    folder.file("out/run.json", whole.substr(0, left));
+    const Done done = run_program(folder, {"verify", "out"});
+    INFO(left << done.err);
+    CHECK(done.code == 2);
+    CHECK_THAT(done.err, Contains("out/run.json:") && Contains("the text is cut short or was edited"));
+  }
+}
