@@ -5,13 +5,9 @@ namespace stepwire {
 
 namespace {
 
-std::string reason_of(const Fmu& block) {
-  return block.reason();
-}
-
 template <class Block>
 std::string reason(const Block& block) {
-  return reason_of(block);
+  return block.reason();
 }
 
 template <class Block>

@@ -1,5 +1,7 @@
 #include "blocks/cosimulation/fmu.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -7,6 +9,7 @@
 
 #include "engine/base/fmi/assignments.hpp"
 #include "engine/base/fmi/unit_error.hpp"
+#include "engine/base/math/instant.hpp"
 #include "engine/model/block/configure.hpp"
 #include "engine/model/block/declare.hpp"
 #include "engine/model/block/value.hpp"
@@ -83,21 +86,25 @@ void Fmu::show(const double* numbers) {
     std::copy_n(numbers, results[i].size(), results[i].data());
 }
 
-void Fmu::follow() {
-  if (!unit.works()) return;
+bool Fmu::follow() {
+  if (!unit.works()) return false;
   // Compared as bytes, which are no numbers.
   const bool same = static_cast<double>(unit.moves) == unit_moves &&
                     std::memcmp(unit.last_kept.data(), unit_state.data(), unit.kept() * sizeof(double)) == 0;
-  if (same) return;
-  if (unit_moves == 0.0)  // a guard has reset it to 0
-    return unit.refuse("its condition has reset it, and a unit starts but once; give `enable` states: hold");
-  if (unit.kept() == 0)
-    return unit.refuse(
-        "the run was put back to an earlier moment, and the unit cannot save and restore its state");
+  if (same) return false;
+  if (unit_moves == 0.0) {  // a guard has reset it to 0
+    unit.refuse("its condition has reset it, and a unit starts but once; give `enable` states: hold");
+    return false;
+  }
+  if (unit.kept() == 0) {
+    unit.refuse("the run was put back to an earlier moment, and the unit cannot save and restore its state");
+    return false;
+  }
   std::memcpy(unit.exchange().kept(), unit_state.data(), unit.kept() * sizeof(double));
   unit.run(fmi::Operation::load);
   std::memcpy(unit.last_kept.data(), unit_state.data(), unit.kept() * sizeof(double));
   unit.moves = static_cast<long>(unit_moves);
+  return true;
 }
 
 void Fmu::settle() {
@@ -158,9 +165,25 @@ bool ContinuousFmu::at_present(fmi::Operation operation) const {
   if (!self.unit.works() || has_ended()) return false;
   self.hand_over();
   fmi::Exchange& exchange = unit.exchange();
-  exchange.time = t;
-  std::copy_n(unit_states.data(), unit_states.size(), exchange.states());
+  const bool acts = operation == fmi::Operation::act && reached(t, unit_event);
+  exchange.time = acts ? std::max<double>(t, unit_event) : t;  // of two roundings of one time the later one
+  std::copy_n(early_at == t ? early_states.data() : unit_states.data(), unit_states.size(),
+              exchange.states());
   return self.unit.run(operation);
+}
+
+// An event of time at a tick belongs to the tick: its row has the outputs after it.
+void ContinuousFmu::outputs_at_instant() {
+  if (follow()) early_at = -1.0;
+  if (early_at != t && reached(t, unit_event)) act_early();
+  outputs();
+}
+
+/// Handles an event before the outputs are computed. update() stores the states.
+void ContinuousFmu::act_early() {
+  if (!at_present(fmi::Operation::act)) return;
+  early_states.assign(unit.exchange().states(), unit.exchange().states() + unit_states.size());
+  early_at = t;
 }
 
 void ContinuousFmu::outputs() {
@@ -179,17 +202,19 @@ void ContinuousFmu::derivatives() {
 void ContinuousFmu::update() {
   follow();
   if (at_present(fmi::Operation::act)) {
-    if (unit.exchange().changed)
+    if (unit.exchange().changed || early_at == t)
       std::copy_n(unit.exchange().states(), unit_states.size(), unit_states.data());
     unit_event = unit.exchange().next;
   }
+  early_at = -1.0;
   if (has_ended()) unit_over.raise(t);
   settle();
 }
 
 /// Acts once for the inputs of an instant.
 void ContinuousFmu::update_at_event() {
-  if (!unit.works() || has_ended()) return;
+  const bool ended_before = has_ended() && early_at != t;
+  if (!unit.works() || ended_before) return;
   hand_over();
   const double* const inputs = unit.exchange().inputs();
   if (unit.acted_at == t && std::equal(unit.acted_on.begin(), unit.acted_on.end(), inputs)) return;
@@ -202,6 +227,12 @@ void ContinuousFmu::crossings(Crossings& zero) const {
   const bool known = at_present(fmi::Operation::crossings);
   const std::size_t count = unit.indicator_count();
   for (std::size_t i = 0; i < count; ++i) zero.add(known ? unit.exchange().indicators()[i] : 1.0);
+}
+
+std::string ContinuousFmu::reason() const {
+  if (reached(unit_event, t)) return Fmu::reason();
+  return fmt::format("{}; its event at {:g} s lies between two ticks, where only `events: locate` stops",
+                     Fmu::reason(), static_cast<double>(unit_event));
 }
 
 double ContinuousFmu::next_edge() const {

@@ -38,8 +38,8 @@ struct Fmu {
   /// Passes the connected inputs to the unit.
   void hand_over();
   void show(const double* numbers);
-  /// Restores the unit after the run was restored to an earlier state.
-  void follow();
+  /// Restores the unit after the run was restored to an earlier state. Returns true if it did.
+  bool follow();
   /// True once the unit has ended the run, after which no call is allowed.
   bool has_ended() const { return unit.works() && unit.exchange().ended != 0; }
   /// Counts a change of the unit's state, and stores its result.
@@ -67,6 +67,7 @@ struct ContinuousFmu : Fmu {
   DiscreteState<1> unit_event{};  ///< time of its next event [s]
 
   void outputs();
+  void outputs_at_instant();
   void derivatives();
   void update();
   void update_at_event();
@@ -75,9 +76,17 @@ struct ContinuousFmu : Fmu {
   void start();
   void configure(Configure& is);
   static void declare(Declare<ContinuousFmu>& is);
+  /// Returns the fault of the unit; where one of its events has passed between two ticks, with the cure.
+  std::string reason() const;
 
  private:
   bool at_present(fmi::Operation operation) const;
+  void act_early();
+
+  /// States of the unit after an event of time that outputs_at_instant() has handled and update() has not
+  /// stored; `early_at` is its time, below 0 without one.
+  std::vector<double> early_states{};
+  double early_at = -1.0;
 };
 
 }  // namespace stepwire

@@ -108,6 +108,21 @@ TEST_CASE("time events of model exchange come at their time") {
   CHECK(counter[41] == 3.0);
 }
 
+TEST_CASE("a time event of model exchange on a tick is in the row of the tick, as in the published reference") {
+  const Scratch scratch;
+  for (const std::string events : {"", "\nevents: locate"}) {
+    const auto run = run_text(diagram(scratch, "stair", ", interface: model_exchange",
+                                      "step: 0.2 s\nstop: 2.4 s\nsolver: rk4" + events) +
+                              "  x: {block: Integrator, u: unit.counter}\nrecord: [unit.counter, x]\n");
+    const auto& counter = column(run, "unit.counter");
+    CHECK(counter[4] == 1.0);
+    CHECK(counter[5] == 2.0);
+    CHECK(counter[9] == 2.0);
+    CHECK(counter[10] == 3.0);
+    CHECK(column(run, "x").back() == Approx(1.0 + 2.0 + 3.0 * 0.4));
+  }
+}
+
 TEST_CASE("a time event of a unit without states is located between ticks, beside blocks that read it") {
   const Scratch scratch;
   const auto run = run_text(diagram(scratch, "stair", ", interface: model_exchange",
