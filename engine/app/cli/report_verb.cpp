@@ -35,7 +35,7 @@ bool is_pdf(const std::string& file) {
   return std::filesystem::path(file).extension() == ".pdf";
 }
 
-/// Throws yaml::Error for names whose ending does not say what is written, before anything runs.
+/// Throws yaml::Error for names with an ending other than .html, .htm or .pdf.
 void require_names(const ReportCall& call) {
   const std::string ending = std::filesystem::path(call.out).extension().string();
   if (ending != ".html" && ending != ".htm" && ending != ".pdf")
