@@ -12,6 +12,7 @@
 #include "engine/base/data_file/reading_log.hpp"
 #include "engine/base/data_file/recent.hpp"
 #include "engine/base/data_file/table_cache.hpp"
+#include "engine/base/io/inside.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "engine/base/unit/meaning.hpp"
 #include "engine/base/yaml/near_file.hpp"
@@ -23,6 +24,7 @@ namespace {
 
 std::shared_ptr<const table::RecordTable> read_file(const FromFile& asked, const Configure& is) {
   std::error_code none;
+  io::require_inside(asked.file.string());
   if (!std::filesystem::exists(asked.file.view(), none))
     is.refuse<&FromFile::file>(
         ("there is no file " + asked.file.string() + yaml::near_file(asked.file.string())).text());

@@ -41,20 +41,27 @@ struct Group {
 
 using Programs = std::vector<std::optional<codegen::GeneratedProgram>>;
 
-std::vector<std::string> flags_of(const run::Job& job, const codegen::GeneratedProgram& program) {
+/// How programs are optimised: as compiled runs are, or in half of that time.
+enum class Optimised { as_runs, quickly };
+
+std::vector<std::string> flags_of(const run::Job& job, const codegen::GeneratedProgram& program,
+                                  Optimised optimised) {
   std::vector<std::string> flags = codegen::flags_for_this_machine(program.headers);
+  if (optimised == Optimised::quickly) flags.push_back("-O1");
   // Sweeps are compared as the compiler optimises them below. Of long programs it would take minutes.
   if (!job.points.empty() || program.text.size() > 150'000) flags.push_back("-O0");
   return flags;
 }
 
 /// Headers and their templates are compiled once for each group, which takes half of the time.
-std::vector<Group> groups_of(const std::vector<run::Job>& jobs, const Programs& programs) {
+std::vector<Group> groups_of(const std::vector<run::Job>& jobs, const Programs& programs,
+                             Optimised optimised) {
   std::vector<Group> groups;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (!programs[i]) continue;
-    const std::vector<std::string> flags = flags_of(jobs[i], *programs[i]);
-    const std::size_t most = flags.empty() ? 1 : 8;  // optimised code of Eigen has little in common
+    const std::vector<std::string> flags = flags_of(jobs[i], *programs[i], optimised);
+    const bool is_plain = !flags.empty() && flags.back() == "-O0";
+    const std::size_t most = flags.empty() ? 1 : is_plain ? 8 : 2;  // optimised code has little in common
     const auto open = std::ranges::find_if(groups, [&](const Group& group) {
       return group.flags == flags && group.members.size() < most && group.size < 400'000;
     });
@@ -105,7 +112,7 @@ void load(const Group& group, const Programs& programs, const codegen::Compiler&
 
 /// Compiles the programs of all diagrams.
 std::vector<Loaded> load_all(const std::vector<run::Job>& jobs, const codegen::Compiler& compiler,
-                             const fs::path& folder) {
+                             const fs::path& folder, Optimised optimised) {
   std::vector<Loaded> loaded(jobs.size());
   Programs programs(jobs.size());
   in_parallel(jobs.size(), [&](std::size_t i) {
@@ -115,7 +122,7 @@ std::vector<Loaded> load_all(const std::vector<run::Job>& jobs, const codegen::C
       loaded[i].refused = error.what();
     }
   });
-  const std::vector<Group> groups = groups_of(jobs, programs);
+  const std::vector<Group> groups = groups_of(jobs, programs, optimised);
   in_parallel(groups.size(), [&](std::size_t g) {
     load(groups[g], programs, compiler, (folder / std::to_string(g)).string(), loaded);
   });
@@ -208,9 +215,8 @@ void compare_sweeps(const std::vector<run::Job>& jobs) {
   });
 }
 
-}  // namespace
-
-TEST_CASE("every diagram that can be generated gives the interpreter's bits and asks for no memory") {
+/// Compares the programs of all diagrams with the interpreter.
+void compare_programs(Optimised optimised) {
   const codegen::Compiler compiler;
   if (!compiler.found()) {
     WARN("there is no C++ compiler here; nothing was compared");
@@ -219,7 +225,7 @@ TEST_CASE("every diagram that can be generated gives the interpreter's bits and 
   const std::vector<run::Job> jobs = distinct_jobs();
   const fs::path folder = fs::temp_directory_path() / ("stepwire-generated-" + std::to_string(::getpid()));
   fs::create_directories(folder);
-  const std::vector<Loaded> loaded = load_all(jobs, compiler, folder);
+  const std::vector<Loaded> loaded = load_all(jobs, compiler, folder, optimised);
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     INFO(jobs[i].plan.diagram.file);
     if (!loaded[i].refused.empty()) {
@@ -231,6 +237,16 @@ TEST_CASE("every diagram that can be generated gives the interpreter's bits and 
     if (loaded[i].reset) CHECK(difference(jobs[i].plan, loaded[i]) == "");
   }
   fs::remove_all(folder);
+}
+
+}  // namespace
+
+TEST_CASE("every diagram that can be generated gives the interpreter's bits and asks for no memory") {
+  compare_programs(Optimised::quickly);
+}
+
+TEST_CASE("every diagram gives the interpreter's bits in code that is optimised as that of runs", "[long]") {
+  compare_programs(Optimised::as_runs);
 }
 
 TEST_CASE("the runs of sweeps over all blocks are those of plans of their own, compiled or not") {

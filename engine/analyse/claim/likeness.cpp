@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/base/data_file/recorded_run.hpp"
+#include "engine/base/io/inside.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "engine/base/yaml/near_file.hpp"
 
@@ -93,6 +94,7 @@ std::shared_ptr<Likeness> read_baseline(const yaml::Node& node, const query::Nam
   const std::string path =
       (fs::path(read.names.file).parent_path() / likeness->file).lexically_normal().string();
   std::error_code none;
+  io::require_inside(path);
   if (!fs::exists(path, none)) {
     read.fault(node.mark,
                fmt::format("there is no file {}{}; a run without this claim writes one: run --csv {}", path,

@@ -54,19 +54,84 @@ std::vector<std::string> docs_of(const plan::PlannedBlock& block, const BlockTyp
   return docs;
 }
 
-/// Returns the number of branch points of a block's formula, beyond which its functions are constant;
-/// std::nullopt for a block without a formula.
-std::optional<std::size_t> branches_of_formula(const diagram::DiagramBlock& block) {
-  const ParameterSpec* formula = block.type().parameter("expression");
-  if (!formula) return std::nullopt;
-  const Value text = formula->get(block.block.get());
-  if (!text.text()) return std::nullopt;
+/// Returns the text or word of a parameter; empty for a type without it.
+std::string text_of(const diagram::DiagramBlock& block, const char* parameter) {
+  const ParameterSpec* spec = block.type().parameter(parameter);
+  if (!spec) return "";
+  const Value value = spec->get(block.block.get());
+  if (const double* word = std::get_if<double>(&value.content); word && !spec->words.empty())
+    return spec->words[static_cast<std::size_t>(*word)];
+  return value.text() ? *value.text() : "";
+}
+
+/// Returns the branch points of a block's formula, beyond which its functions are constant; std::nullopt for
+/// a block without a formula.
+std::optional<expression::Branches> branches_of_formula(const diagram::DiagramBlock& block) {
+  const std::string text = text_of(block, "expression");
+  if (text.empty()) return std::nullopt;
   try {
-    const expression::Expression parsed(*text.text(), [](std::string_view) { return true; });
-    return expression::branches_of(parsed).margins.size();
+    return expression::branches_of(expression::Expression(text, [](std::string_view) { return true; }));
   } catch (const expression::ExpressionError&) {
     return std::nullopt;
   }
+}
+
+constexpr std::size_t above = 0, below = 1;  // branches of a crossing function
+/// Branch of a crossing function that is exactly 0; std::nullopt where 0 is neither branch.
+using SideOfZero = std::optional<std::size_t>;
+
+/// Returns the side of a comparison of a block whose function is the left side minus the right one.
+SideOfZero side_of(const std::string& relation) {
+  if (relation == "greater" || relation == ">" || relation == "less_equal" || relation == "<=") return below;
+  if (relation == "less" || relation == "<" || relation == "greater_equal" || relation == ">=") return above;
+  return std::nullopt;
+}
+
+/// Returns the side of a condition whose function is positive where it is true. Joined conditions of both
+/// kinds have none, since either one may be at 0.
+SideOfZero side_of_condition(const std::string& text) {
+  bool holds = false, fails = false;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool is_equal = text.compare(at + 1, 1, "=") == 0;
+    if (text[at] == '!' || (text[at] == '=' && is_equal)) return std::nullopt;
+    if (text[at] != '<' && text[at] != '>') continue;
+    (is_equal ? holds : fails) = true;
+  }
+  if (holds == fails) return std::nullopt;
+  return holds ? above : below;
+}
+
+/// Returns the sides of a block's functions at 0. A bend, such as that of Abs, has none: both sides agree.
+std::vector<SideOfZero> sides_of_zero(const diagram::DiagramBlock& block, std::size_t count) {
+  if (const auto formula = branches_of_formula(block)) {
+    std::vector<SideOfZero> sides;
+    const std::size_t points = std::max<std::size_t>(1, formula->texts.size());
+    for (std::size_t k = 0; k < count; ++k)  // declaration by declaration, each with all elements
+      sides.push_back(side_of_condition(formula->texts.empty() ? "" : formula->texts[k * points / count]));
+    return sides;
+  }
+  for (const char* relation : {"operator", "criterion"})
+    if (const std::string text = text_of(block, relation); !text.empty())
+      return std::vector<SideOfZero>(count, side_of(text));
+  const bool is_logic = block.type().header.find("/logic/") != std::string::npos;  // where 0 is "off"
+  return std::vector<SideOfZero>(count, is_logic ? SideOfZero(below) : std::nullopt);
+}
+
+/// Limits of a number: parameters, and the name of the state, empty for the first output.
+struct LimitNames {
+  const char *lower, *upper, *state, *what;
+};
+constexpr LimitNames limit_names[] = {{"lower", "upper", "", "the output"},
+                                      {"integral_lower", "integral_upper", "integral", "the integral"}};
+
+/// Returns the element of a parameter that has one number, or one for each element; infinite without it.
+double element_of(const diagram::DiagramBlock& block, const char* parameter, std::size_t element) {
+  const Value value = block.type().parameter(parameter)->get(block.block.get());
+  if (const double* number = std::get_if<double>(&value.content)) return *number;
+  const auto* numbers = std::get_if<Eigen::VectorXd>(&value.content);
+  if (!numbers || numbers->size() == 0) return std::numeric_limits<double>::infinity();
+  const auto size = static_cast<std::size_t>(numbers->size());
+  return (*numbers)[static_cast<Eigen::Index>(std::min(element, size - 1))];
 }
 
 /// Names the crossing functions of a block. The order of several declarations with several elements each is
@@ -94,12 +159,20 @@ class CoverageObserver::OfRun : run::SideObserver {
     simulation.show_events(this);
   }
 
-  void evaluate(const double* values) {
-    for (Crossings& one : crossings_) count_crossings(one, values);
+  /// Counts the blocks that are computed at a tick. Between its own ticks a sampled block reads nothing.
+  void evaluate(const double* values, std::int64_t tick) {
+    const auto is_due = [&](const auto& one) { return tick % one.rate.ticks == one.rate.first; };
+    for (Crossings& one : crossings_)
+      if (is_due(one)) count_crossings(one, values);
     for (const Guard& one : guards_) count_guard(one, values);
-    for (Constant& one : constants_) count_constant(one, values);
-    for (Machine& one : machines_) count_machine(one, values);
-    for (const Table& one : tables_) count_table(one, values);
+    for (Constant& one : constants_)
+      if (is_due(one)) count_constant(one, values);
+    for (Machine& one : machines_)
+      if (is_due(one)) count_machine(one, values);
+    for (const Table& one : tables_)
+      if (is_due(one)) count_table(one, values);
+    for (const Limit& one : limits_)
+      if (is_due(one)) count_limit(one, values);
   }
 
   /// Returns the conditions. A function that is infinite at each tick, as of a limit that is left out, is no
@@ -128,12 +201,13 @@ class CoverageObserver::OfRun : run::SideObserver {
   void after_event(const double* values) override {
     before_instant(values);
     for (const Guard& one : guards_) count_guard(one, values);
+    const auto is_continuous = [](const auto& one) { return one.rate.kind == plan::Rate::Kind::continuous; };
     for (Constant& one : constants_)
-      if (one.is_continuous) count_constant(one, values);
+      if (is_continuous(one)) count_constant(one, values);
     for (Machine& one : machines_)
-      if (one.is_continuous) count_machine(one, values);
+      if (is_continuous(one)) count_machine(one, values);
     for (const Table& one : tables_)
-      if (one.is_continuous) count_table(one, values);
+      if (is_continuous(one)) count_table(one, values);
   }
 
   struct Crossings {
@@ -141,11 +215,13 @@ class CoverageObserver::OfRun : run::SideObserver {
     const void* block;
     std::ptrdiff_t active;
     std::size_t owner;  ///< Index of the block.
+    plan::Rate rate;
     bool is_located;
     std::size_t condition = 0;  ///< Index of its first condition, once counted.
     std::vector<double> numbers{};
     std::vector<std::int64_t> infinite{};  ///< Ticks at which a function has no bound.
-    bool counted = false;                  ///< The number of functions is known, from the first tick.
+    std::vector<SideOfZero> at_zero{};
+    bool counted = false;  ///< The number of functions is known, from the first tick.
   };
   struct Guard {
     std::size_t place, condition;
@@ -153,21 +229,26 @@ class CoverageObserver::OfRun : run::SideObserver {
   struct Constant {
     std::size_t place, condition;
     std::ptrdiff_t active;
-    bool is_continuous;
+    plan::Rate rate;
     double first = nan;
   };
   struct Machine {
     std::size_t place, condition;  ///< Condition of its states; those of its transitions follow.
     std::ptrdiff_t active;
-    bool is_continuous;
+    plan::Rate rate;
     Chart chart;
     std::optional<std::size_t> state{};
   };
-
+  struct Limit {
+    std::size_t place, condition;
+    std::ptrdiff_t active;
+    plan::Rate rate;
+    double limit;
+  };
   struct Table {
     std::size_t condition;
     std::ptrdiff_t active;
-    bool is_continuous;
+    plan::Rate rate;
     TableRegions regions;
   };
 
@@ -186,10 +267,6 @@ class CoverageObserver::OfRun : run::SideObserver {
     for (const std::string& name : branches) condition.branches.push_back({name, 0});
     coverage_.conditions.push_back(std::move(condition));
     return coverage_.conditions.size() - 1;
-  }
-
-  bool is_continuous(std::size_t block) const {
-    return plan_.blocks[block].rate.kind == plan::Rate::Kind::continuous;
   }
 
   bool is_located(std::size_t block) const {
@@ -214,9 +291,10 @@ class CoverageObserver::OfRun : run::SideObserver {
     if (type.parameter("extrapolation")) add_table(simulation, block, active);
     if (type.steady) add_constants(block, active);
     const bool skips = planned.configuration && planned.configuration->skips_crossings;
+    if (type.crossings.empty()) add_limits(simulation.diagram().blocks[block], block, active);
     if (type.run_crossings && !skips)
-      crossings_.push_back({&type, address_of(simulation, block), active, block, is_located(block), 0,
-                            std::vector<double>(room_for_crossings(planned, type))});
+      crossings_.push_back({&type, address_of(simulation, block), active, block, planned.rate,
+                            is_located(block), 0, std::vector<double>(room_for_crossings(planned, type))});
   }
 
   void add_machine(std::size_t block, std::ptrdiff_t active, Chart chart) {
@@ -225,8 +303,8 @@ class CoverageObserver::OfRun : run::SideObserver {
     for (const ChartArrow& arrow : chart.arrows)
       add(block, fmt::format("the transition {} to {}", chart.states[arrow.from], chart.states[arrow.to]),
           {"taken"});
-    machines_.push_back({plan_.blocks[block].outputs[output].offset, condition, active, is_continuous(block),
-                         std::move(chart)});
+    machines_.push_back({plan_.blocks[block].outputs[output].offset, condition, active,
+                         plan_.blocks[block].rate, std::move(chart)});
   }
 
   void add_table(run::Executor& simulation, std::size_t block, std::ptrdiff_t active) {
@@ -234,7 +312,7 @@ class CoverageObserver::OfRun : run::SideObserver {
     auto regions = TableRegions::of(present.blocks[block], plan_.blocks[block]);
     if (!regions) return;
     const std::size_t condition = add(block, "the table", regions->names());
-    tables_.push_back({condition, active, is_continuous(block), std::move(*regions)});
+    tables_.push_back({condition, active, plan_.blocks[block].rate, std::move(*regions)});
   }
 
   void add_constants(std::size_t block, std::ptrdiff_t active) {
@@ -247,8 +325,37 @@ class CoverageObserver::OfRun : run::SideObserver {
              add(block,
                  type.outputs[output].name + (slot.size > 1 ? fmt::format(" ({})", k + 1) : std::string()),
                  {"its first value", "another value"}),
-             active, is_continuous(block)});
+             active, plan_.blocks[block].rate});
     }
+  }
+
+  /// Adds the limits of a block without crossing functions, as of a DiscretePID. A run may have values of its
+  /// own for them.
+  void add_limits(const diagram::DiagramBlock& present, std::size_t block, std::ptrdiff_t active) {
+    const BlockType& type = present.type();
+    for (const LimitNames& names : limit_names) {
+      if (!type.parameter(names.lower) || !type.parameter(names.upper)) continue;
+      const plan::SignalSlot* slot = slot_of(names.state, type, block);
+      for (std::size_t k = 0; slot && k < static_cast<std::size_t>(slot->size); ++k)
+        for (const bool is_upper : {false, true}) {
+          const double limit = element_of(present, is_upper ? names.upper : names.lower, k);
+          const std::string number = slot->size > 1 ? fmt::format(" ({})", k + 1) : std::string();
+          if (!std::isfinite(limit)) continue;
+          const std::string what =
+              fmt::format("{}{} reaches the {} limit", names.what, number, is_upper ? "upper" : "lower");
+          limits_.push_back({slot->offset + k, add(block, what, {"there", "within"}), active,
+                             plan_.blocks[block].rate, limit});
+        }
+    }
+  }
+
+  /// Returns the place of a state, or of the first output; nullptr without one.
+  const plan::SignalSlot* slot_of(const std::string& state, const BlockType& type, std::size_t block) const {
+    const plan::PlannedBlock& planned = plan_.blocks[block];
+    if (state.empty()) return planned.outputs.empty() ? nullptr : &planned.outputs.front();
+    for (std::size_t i = 0; i < type.states.size(); ++i)
+      if (type.states[i].name == state) return &planned.states[i];
+    return nullptr;
   }
 
   static bool is_off(std::ptrdiff_t active, const double* values) {
@@ -264,10 +371,12 @@ class CoverageObserver::OfRun : run::SideObserver {
     one.condition = coverage_.conditions.size();
     const diagram::DiagramBlock& block = plan_.diagram.blocks[one.owner];
     std::vector<std::string> docs = docs_of(plan_.blocks[one.owner], block.type());
-    if (const auto branches = branches_of_formula(block); branches && *branches < docs.size()) {
-      one.infinite.resize(count / docs.size() * *branches);  // declaration by declaration, the first ones
-      docs.resize(*branches);
+    if (const auto formula = branches_of_formula(block); formula && formula->margins.size() < docs.size()) {
+      const std::size_t points = formula->margins.size();
+      one.infinite.resize(count / docs.size() * points);  // declaration by declaration, the first ones
+      docs.resize(points);
     }
+    one.at_zero = sides_of_zero(block, one.infinite.size());
     for (const std::string& name : names_of(docs, one.infinite.size()))
       add(one.owner, name, {"above", "below"});
     one.counted = true;
@@ -284,8 +393,10 @@ class CoverageObserver::OfRun : run::SideObserver {
       if (number == 0.0) ++coverage_.conditions[one.condition + k].zeros;
       if (std::isinf(number))
         ++one.infinite[k];
+      else if (number == 0.0 && one.at_zero[k])
+        ++branch(one.condition + k, *one.at_zero[k]).ticks;
       else if (number != 0.0 && !std::isnan(number))
-        ++branch(one.condition + k, number > 0.0 ? 0 : 1).ticks;
+        ++branch(one.condition + k, number > 0.0 ? above : below).ticks;
     }
   }
 
@@ -313,6 +424,12 @@ class CoverageObserver::OfRun : run::SideObserver {
     one.state = state;
   }
 
+  void count_limit(const Limit& one, const double* values) {
+    if (is_off(one.active, values)) return;
+    count_instant(one.condition);
+    ++branch(one.condition, values[one.place] == one.limit ? 0 : 1).ticks;
+  }
+
   void count_table(const Table& one, const double* values) {
     if (is_off(one.active, values)) return;
     count_instant(one.condition);
@@ -335,6 +452,7 @@ class CoverageObserver::OfRun : run::SideObserver {
   std::vector<Constant> constants_;
   std::vector<Machine> machines_;
   std::vector<Table> tables_;
+  std::vector<Limit> limits_;
 };
 
 CoverageObserver::CoverageObserver() = default;
@@ -352,7 +470,7 @@ void CoverageObserver::evaluated(const run::ObservedRun& run) {
     const std::lock_guard lock(mutex_);
     of_run = runs_.at(run.index).get();
   }
-  of_run->evaluate(run.simulation.values());
+  of_run->evaluate(run.simulation.values(), run.simulation.tick());
 }
 
 void CoverageObserver::end(const run::ObservedRun& run) {
@@ -362,14 +480,9 @@ void CoverageObserver::end(const run::ObservedRun& run) {
   runs_.erase(run.index);
 }
 
-/// Returns the coverage of all runs. A function that is never negative has its other branch at zero.
 Coverage CoverageObserver::coverage() const {
   const std::lock_guard lock(mutex_);
-  Coverage found = all_;
-  for (Condition& one : found.conditions)
-    if (one.zeros > 0 && one.branches[0].ticks > 0 && one.branches[1].ticks == 0)
-      one.branches[1].ticks = one.zeros;
-  return found;
+  return all_;
 }
 
 std::size_t Condition::covered() const {

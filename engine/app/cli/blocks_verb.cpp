@@ -10,6 +10,7 @@
 #include "engine/app/reference/block_page.hpp"
 #include "engine/app/reference/part_reference.hpp"
 #include "engine/base/io/file.hpp"
+#include "engine/base/io/inside.hpp"
 #include "engine/base/text/characters.hpp"
 #include "engine/base/text/natural_order.hpp"
 #include "engine/base/yaml/document.hpp"
@@ -43,6 +44,7 @@ bool is_diagram(const std::filesystem::path& path) {
 /// Prints the page of a part, in the form of a block's page; for a folder, prints a list of its diagram
 /// files.
 ExitCode show_parts(const std::string& path) {
+  io::require_inside(path);
   if (!std::filesystem::is_directory(path)) {
     const yaml::Document document = yaml::read_document(path);
     put_data(reference::page_text(reference::part_reference(document, io::read_file(path))));

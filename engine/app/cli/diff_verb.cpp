@@ -160,7 +160,19 @@ ExitCode print_and_draw(const DiffCall& call, const Registry& registry,
   return worst(code, drawn);
 }
 
+/// Throws Error for a file that holds a word or a list. A folder and an empty file are none of these.
+void require_map(const std::string& file) {
+  if (fs::is_directory(file)) return;
+  const yaml::Document document = yaml::read_document(file);
+  const yaml::Node& root = document.root;
+  if (root.is_map() || (root.is_scalar() && root.text.empty())) return;
+  throw yaml::Error(
+      yaml::Fault{{file, root.mark}, "", "this is no diagram; a diagram is a map with blocks", {}});
+}
+
 Difference difference_of(const Registry& registry, const std::string& from, const std::string& to) {
+  require_map(from);
+  require_map(to);
   Texts before, after;
   Comparer comparer(registry, before, after);
   if (fs::is_directory(from) && fs::is_directory(to))

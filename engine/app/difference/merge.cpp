@@ -104,6 +104,7 @@ class FactMerge {
     if (ours != base && (has_two_types(of) || splits_a_list(of))) return conflict(of, name);
     if (has_two_types(of)) return taken(of, owner);
     if (of.all_are(Fact::Kind::map) && edits_.is_map(*of.ours)) return map(of, name);
+    if (of.all_are(Fact::Kind::map) && is_short_beside_map(of)) return from_short_form(of, name);
     if (of.all_are(Fact::Kind::set)) return set(of, name);
     const bool is_same_length = of.ours && of.theirs && of.base &&
                                 of.ours->parts.size() == of.theirs->parts.size() &&
@@ -112,6 +113,35 @@ class FactMerge {
       return sequence(of, name);
     if (ours == base) return taken(of, owner);
     return conflict(of, name);
+  }
+
+  /// True where ours is a short form, such as `k: 4`, and theirs a map in its text: `k: {value: 3, doc: of
+  /// it}`.
+  static bool is_short_beside_map(const Versions& of) {
+    return of.ours->node && !of.ours->node->is_map() && of.theirs->node && of.theirs->node->is_map();
+  }
+
+  /// Merges a short form of ours: it gets the text of theirs with the values of the merge.
+  Fact from_short_form(const Versions& of, const std::string& path) {
+    FactEdits unused(edits_);  // a short form takes no part
+    Fact merged = FactMerge(unused, conflicts_).map(of, path);
+    yaml::Node node = *of.theirs->node;
+    std::erase_if(node.entries, [&](const yaml::Entry& entry) {
+      const Fact* stated = of.theirs->find(entry.key);
+      return stated && !merged.find(entry.key);
+    });
+    for (const Fact& part : merged.parts) {
+      const std::string key = unmarked(part.key);
+      const Fact *of_ours = of.ours->find(key), *of_theirs = of.theirs->find(key);
+      if (!of_ours || !of_ours->node || canonical_of(of_theirs) == part.canonical) continue;
+      const auto there = std::ranges::find(node.entries, key, &yaml::Entry::key);
+      if (there != node.entries.end())
+        there->value = *of_ours->node;
+      else
+        node.entries.push_back({key, {}, *of_ours->node});
+    }
+    edits_.replace(*of.ours, Fact{.written = yaml::yaml_line(node)});
+    return merged;
   }
 
   /// True for a block that is of another type in each version.

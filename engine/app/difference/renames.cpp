@@ -48,7 +48,7 @@ class FeatureNumbers {
  public:
   std::size_t of(const std::string& feature) {
     const auto [found, is_new] = numbers_.emplace(feature, weights_.size());
-    if (is_new) weights_.push_back(feature.find('?') == std::string::npos ? 1.0 : weight_of_unknown);
+    if (is_new) weights_.push_back(weight_of(feature));
     return found->second;
   }
   double weight(std::size_t feature) const { return weights_[feature]; }
@@ -59,6 +59,14 @@ class FeatureNumbers {
   }
 
  private:
+  /// A type alone makes no two blocks the same one: all pairs that are compared share it.
+  static double weight_of(const std::string& feature) {
+    if (feature.starts_with("/blocks/") && feature.find('*') < feature.find("/block=") &&
+        feature.find("/block=") < feature.find('='))
+      return 0.0;
+    return feature.find('?') == std::string::npos ? 1.0 : weight_of_unknown;
+  }
+
   std::unordered_map<std::string, std::size_t> numbers_;
   std::vector<double> weights_;
 };

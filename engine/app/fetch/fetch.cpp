@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -73,6 +74,16 @@ class NewFolder {
 /// Walk through files and their parts.
 class Walk {
  public:
+  /// Visits a diagram and its parts, in which one name has one version. Other diagrams may use another one.
+  void visit_diagram(const std::string& file) {
+    seen_.clear();
+    known_.clear();
+    visit(file);
+  }
+
+  Fetched result;
+
+ private:
   void visit(const std::string& file) {
     if (!seen_.insert(fs::path(file).lexically_normal().string()).second) return;
     const yaml::Document document = yaml::read_document(file);
@@ -82,9 +93,6 @@ class Walk {
       visit_part(document, blocks->entries[i].value);
   }
 
-  Fetched result;
-
- private:
   void visit_part(const yaml::Document& document, const yaml::Node& block) {
     const yaml::Node* path = block.is_map() ? block.find("diagram") : nullptr;
     if (!path || !path->is_scalar()) return;
@@ -94,7 +102,8 @@ class Walk {
   }
 
   void refuse(const yaml::Mark& mark, const Use& use, const std::string& file, const Message& message) {
-    result.faults.push_back({{file, mark}, "uses." + use.name, message, {}});
+    yaml::Fault fault{{file, mark}, "uses." + use.name, message, {}};
+    if (told_.insert(fault.text()).second) result.faults.push_back(std::move(fault));
   }
 
   /// True for an entry that cannot be fetched as it is written; adds its fault.
@@ -129,7 +138,7 @@ class Walk {
     const auto& [other, other_place] = known->second;
     if (!is_new && !use.is_version_of(other))
       return refuse(use.mark, use, document.file, diagram::versions_problem(use, other, other_place));
-    if (!is_new) return;
+    if (!is_new || !taken_.insert({address_of(use, document.file), use.rev, use.sha256}).second) return;
     FetchedUse fetched{.use = use, .file = document.file, .was_there = has_right_files(use)};
     if (fetched.was_there)
       fetched.files = io::tree_hash(diagram::fetched_folder(use)).files;
@@ -160,8 +169,10 @@ class Walk {
     return false;
   }
 
-  std::set<std::string> seen_;
-  std::map<std::string, std::pair<Use, yaml::Place>> known_;
+  std::set<std::string> seen_;                                ///< Files of this diagram.
+  std::map<std::string, std::pair<Use, yaml::Place>> known_;  ///< Versions in it.
+  std::set<std::array<std::string, 3>> taken_;                ///< Versions of all diagrams.
+  std::set<std::string> told_;                                ///< Faults of shared parts.
 };
 
 }  // namespace
@@ -170,7 +181,7 @@ Fetched fetch_parts(const std::vector<std::string>& files) {
   if (io::cache_folder().empty())
     throw io::EnvironmentError("the cache has no place; HOME or STEPWIRE_CACHE name one");
   Walk walk;
-  for (const std::string& file : files) walk.visit(file);
+  for (const std::string& file : files) walk.visit_diagram(file);
   return std::move(walk.result);
 }
 

@@ -40,11 +40,26 @@ std::optional<yaml::Node> value_of(const std::string& text, bool flow) {
   }
 }
 
+/// True if a text in brackets has a comment. A '#' within quotes or a word begins none.
+bool has_comment(const std::string& text) {
+  char quote = 0, before = ' ';
+  for (const char c : text) {
+    const bool begins = std::string_view(" \t,[]{}:").find(before) != std::string_view::npos;
+    if (quote != 0)
+      quote = c == quote && before != '\\' ? 0 : quote;
+    else if ((c == '"' || c == '\'') && begins)
+      quote = c;
+    else if (c == '#' && begins)
+      return true;
+    before = before == '\\' && c == '\\' ? ' ' : c;
+  }
+  return false;
+}
+
 /// True if the value contains the whole text, that is, no part of it is an anchor, a tag or a comment.
 bool is_whole(const yaml::Node& value, const std::string& text) {
   if (value.is_scalar()) return value.text == text || text[0] == '"' || text[0] == '\'';
-  return (value.is_list() || value.is_map()) && text.find('#') == std::string::npos && text[0] != '&' &&
-         text[0] != '!';
+  return (value.is_list() || value.is_map()) && !has_comment(text) && text[0] != '&' && text[0] != '!';
 }
 
 /// Returns the notation of a value at a place: unchanged, such as "8 kg" or "[1, 2]", or quoted if it would

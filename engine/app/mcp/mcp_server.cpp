@@ -42,7 +42,27 @@ const std::map<std::string, McpServer::Answer>& McpServer::requests() {
   return all;
 }
 
+void McpServer::send(const Json& message) {
+  const std::scoped_lock lock(sending_);
+  send_(message.text(-1));
+}
+
+bool McpServer::answer_ping(const std::string& message) {
+  if (message.find("ping") == std::string::npos) return false;
+  try {
+    const Json read = Json::parse(message);
+    const Json *method = read.find("method"), *id = read.find("id");
+    if (!method || !method->as_text() || *method->as_text() != "ping") return false;
+    if (!id || !(id->as_text() || id->as_number())) return false;
+    send(language::answer_message(*id, Json::object()));
+    return true;
+  } catch (const json::JsonError&) {
+    return false;
+  }
+}
+
 void McpServer::post(std::string message) {
+  if (answer_ping(message)) return;
   const std::string id = language::cancelled_id(message, "notifications/cancelled", "requestId");
   const std::scoped_lock lock(mutex_);
   if (id.empty()) {
@@ -92,7 +112,7 @@ void McpServer::handle(const std::string& text) {
     answer = language::error_message(Json(), rpc::parse_error,
                                      std::string("this message is no JSON: ") + error.what());
   }
-  if (answer) send_(answer->text(-1));
+  if (answer) send(*answer);
 }
 
 std::optional<Json> McpServer::answer_of(const Json& message) {

@@ -20,12 +20,14 @@ namespace stepwire::mcp {
 /// Source: Model Context Protocol 2024-11-05, 2025-03-26 and 2025-06-18, JSON-RPC 2.0.
 class McpServer {
  public:
-  /// Sends a message as one line of JSON; called only on the thread of run().
+  /// Sends a message as one line of JSON. One thread at a time calls it: that of run(), or of post() for a
+  /// ping.
   using Send = std::function<void(const std::string& message)>;
 
   McpServer(std::vector<Tool> tools, Host host, std::string version, Send send);
 
-  /// Queues a message. Thread-safe. A notification that cancels a request takes effect at once.
+  /// Queues a message. Thread-safe. A ping is answered and a notification that cancels a request takes effect
+  /// at once, also beside a long call.
   void post(std::string message);
   /// Ends run() after the queued messages. Thread-safe.
   void close();
@@ -47,6 +49,9 @@ class McpServer {
 
   json::Json initialize(const json::Json& params);
   json::Json ping(const json::Json& params);
+  /// Answers a ping; false for any other message.
+  bool answer_ping(const std::string& message);
+  void send(const json::Json& message);
   json::Json list_tools(const json::Json& params);
   json::Json call_tool(const json::Json& params);
 
@@ -56,7 +61,8 @@ class McpServer {
   Send send_;
   bool initialized_ = false;
 
-  std::mutex mutex_;  ///< protects the members below
+  std::mutex sending_;  ///< protects send_
+  std::mutex mutex_;    ///< protects the members below
   std::condition_variable arrived_;
   std::deque<std::string> messages_;
   std::deque<std::string> cancelled_;  ///< ids of waiting requests, as JSON text

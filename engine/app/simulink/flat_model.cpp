@@ -272,7 +272,7 @@ std::string FlatModel::follow_port(Instance& in, const Block& block, const std::
 }
 
 std::string FlatModel::no_source(const std::string& path, const std::string& what) {
-  notes_.push_back({NoteKind::fault, path, what + "; 0 is written there"});
+  notes_.push_back({NoteKind::fault, path, what + "; what reads it gets 0, and an Outport is not recorded"});
   return ground;
 }
 

@@ -135,9 +135,13 @@ class Importer {
 
   void record_outports() {
     Instance& root = flat_.root();
-    for (const auto& [port, block] : root.outports)
-      collected_.recorded.push_back(
-          {root.unit, flat_.source(root, *block, "in:1"), root.unit->take_name(valid_name(block->name)), ""});
+    for (const auto& [port, block] : root.outports) {
+      const std::string name = root.unit->take_name(valid_name(block->name));
+      if (name != block->name)
+        result_.notes.push_back(
+            {NoteKind::differs, block->name, fmt::format("is recorded under the name '{}'", name)});
+      collected_.recorded.push_back({root.unit, flat_.source(root, *block, "in:1"), name, ""});
+    }
     for (Collected::Recorded& one : collected_.recorded)
       if (!one.name.empty() && one.scope.empty())
         one.name = names_.emplace(one.name, one.name).second ? one.name : root.unit->take_name(one.name);

@@ -230,11 +230,12 @@ Expression margin_of(const Expression& condition) {
 Branches branches_of(const Expression& formula) {
   const auto known = variables_of(formula);
   const Part part = fold_of(formula, known);
-  Branches branches{part.steady && part.varies, {}};
+  Branches branches{part.steady && part.varies, {}, {}};
   for (const Point& point : points_of(part)) try {
       branches.margins.emplace_back(point.margin, known);
+      branches.texts.push_back(point.mode);
     } catch (const ExpressionError&) {  // too long: a steady value jumps where its margin crosses 0
-      if (part.truth) branches.margins.push_back(formula);
+      if (part.truth) branches.margins.push_back(formula), branches.texts.emplace_back();
       branches.steady = part.truth;
     }
   return branches;

@@ -16,6 +16,8 @@ Expression margin_of(const Expression& condition);
 struct Branches {
   bool steady = false;              ///< True where the value is constant between sign changes of the margins.
   std::vector<Expression> margins;  ///< Change sign at a branch point; jumps first; at most 16.
+  std::vector<std::string>
+      texts;  ///< Of each margin: the condition, or the value that jumps; empty for a bend.
 };
 Branches branches_of(const Expression& formula);
 

@@ -10,6 +10,7 @@
 
 #include "engine/base/archive/archive.hpp"
 #include "engine/base/fmi/unit_error.hpp"
+#include "engine/base/io/inside.hpp"
 
 namespace stepwire::fmi {
 
@@ -39,6 +40,7 @@ using FileState = std::tuple<std::string, std::uintmax_t, fs::file_time_type>;
 
 FileState state_of(const std::string& path) {
   std::error_code none;
+  io::require_inside(path);
   const fs::path whole = fs::canonical(path, none);
   if (none || !fs::is_regular_file(whole)) throw UnitError(fmt::format("there is no file {}", path));
   return {whole.string(), fs::file_size(whole), fs::last_write_time(whole)};

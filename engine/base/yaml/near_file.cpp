@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "engine/base/io/inside.hpp"
+
 namespace stepwire::yaml {
 
 namespace fs = std::filesystem;
@@ -10,6 +12,7 @@ namespace fs = std::filesystem;
 std::vector<std::string> files_of(const std::string& folder, const std::string& ending,
                                   const std::string& prefix) {
   constexpr std::size_t most = 5000;
+  if (!io::is_inside(folder.empty() ? "." : folder)) return {};
   std::vector<std::string> names;
   std::error_code none;
   fs::directory_iterator entry(folder.empty() ? "." : folder, none);

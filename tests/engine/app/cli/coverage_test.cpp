@@ -268,3 +268,48 @@ TEST_CASE(
   CHECK_THAT(zero, Contains("sign (Sign): u passes 0: always exactly there, never above or below") &&
                        !Contains("u passes 0: never"));
 }
+
+TEST_CASE("coverage counts what a sampled block reads at its own ticks, and limits of a sampled controller") {
+  const Scratch folder;
+  const std::string head =
+      "stepwire: 1\nstep: 1 ms\nstop: 1 s\nblocks:\n"
+      "  s: {block: Sine, amplitude: 2, frequency: 2 Hz}\n";
+  for (const std::string block : {"{block: Saturation, u: s, lower: -1, upper: 1, every: 500 ms}",
+                                  "{block: Compare, u: s, operator: \">\", to: 1, every: 500 ms}"}) {
+    folder.file("slow.yaml", head + "  y: " + block + "\nrecord: y\n");  // s is 0 at all its ticks
+    const std::string slow = run_program(folder, {"run", "slow.yaml", "--coverage"}).out;
+    INFO(slow);
+    CHECK_THAT(slow, Contains("coverage: 2 of 4 branches"));
+  }
+  folder.file("pid.yaml", head +
+                              "  y: {block: DiscretePID, u: s, kp: 1, lower: -1, upper: 5, every: 1 ms}\n"
+                              "record: y\n");
+  const std::string pid = run_program(folder, {"run", "pid.yaml", "--coverage"}).out;
+  INFO(pid);
+  CHECK_THAT(pid, Contains("coverage: 3 of 4 branches") &&
+                      Contains("y (DiscretePID): the output reaches the upper limit: never there"));
+}
+
+TEST_CASE("a number that is 0 is on the side that the block takes there") {
+  const Scratch folder;
+  const auto text_of = [&](const std::string& block) {
+    folder.file("ramp.yaml",
+                "stepwire: 1\nstep: 0.1 s\nstop: 1 s\nblocks:\n  t: {block: Ramp, slope: 1}\n  y: " + block +
+                    "\nrecord: y\n");
+    return run_program(folder, {"run", "ramp.yaml", "--coverage"}).out;
+  };
+  for (const std::string never :
+       {"{block: Expression, u: t, expression: \"u1 >= 0 ? 1 : 2\"}",
+        "{block: Compare, u: t, operator: \">=\", to: 0}", "{block: Abs, u: t}",
+        "{block: Saturation, u: t, lower: 0, upper: 0.5}",
+        "{block: Switch, control: t, criterion: greater_equal, then: 1, else: 2}"}) {
+    INFO(never << text_of(never));
+    CHECK_THAT(text_of(never), Contains("never below"));
+  }
+  for (const std::string both :
+       {"{block: Expression, u: t, expression: \"u1 > 0 ? 1 : 2\"}",
+        "{block: Compare, u: t, operator: \">\", to: 0}", "{block: Switch, control: t, then: 1, else: 2}"}) {
+    INFO(both << text_of(both));
+    CHECK_THAT(text_of(both), !Contains("never below"));
+  }
+}

@@ -376,3 +376,16 @@ TEST_CASE("diff compares the parts of two commits") {
   CHECK_THAT(unknown.out, Contains("~ two: rig/doubler at " + shop.first + " -> rig/doubler at " + second +
                                    ", as one of them is not fetched"));
 }
+
+TEST_CASE("diagrams that have nothing in common may use two versions of one repository") {
+  const Workshop shop;
+  const std::string old_hash = shop.fetched(shop.first);
+  fs::rename(shop.folder.path("main.yaml"), shop.folder.path("old.yaml"));
+  shop.folder.file("lib/doubler.yaml", replaced(doubler, "value: 2", "value: 3"));
+  shop.fetched(shop.commit("lib"));
+  CHECK(shop.run({"fetch", "old.yaml", "main.yaml"}).code == 0);
+  CHECK(shop.run({"fetch"}).code == 0);
+  const Done done = shop.run({"run", "old.yaml", "main.yaml"});
+  INFO(done.out << done.err);
+  CHECK_THAT(done.out, Contains("it doubles: 6") && Contains("it doubles: 9"));
+}

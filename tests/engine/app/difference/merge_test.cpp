@@ -52,6 +52,38 @@ TEST_CASE("edits of two sides that do not meet give the same as both in sequence
       if (i != k) check_both(edits[i], edits[k]);
 }
 
+TEST_CASE("a block in the place of an unused one of its type is no new name for it") {
+  const std::string base = with(loop_yaml, "  sum: ", "  load: {block: Constant, value: 3 N}\n  sum: ");
+  const std::string exchanged =
+      with(base, "load: {block: Constant, value: 3 N}", "limit: {block: Constant, value: 700 N}");
+  const std::string used =
+      with(base, "at_most: 0.5 m", "at_most: 0.5 m}\n  - {that: b, max: load, at_most: 9 N");
+  for (const auto& result : {merged(exchanged, used, base), merged(used, exchanged, base)}) {
+    REQUIRE(result.conflicts.size() == 1);
+    CHECK(result.conflicts[0].at == "load");
+  }
+  CHECK(lines(base, exchanged).size() == 2);  // one is gone, the other new
+}
+
+TEST_CASE("a value of one side and the doc of the other merge, whichever is written short") {
+  const std::string longer = with(loop_yaml, "weight: 2 kg", "weight: {value: 2 kg, doc: of it}"),
+                    other = with(loop_yaml, "weight: 2 kg", "weight: 3 kg"),
+                    both = with(loop_yaml, "weight: 2 kg", "weight: {value: 3 kg, doc: of it}");
+  for (const auto& result : {merged(longer, other), merged(other, longer)}) {
+    CHECK(result.conflicts.empty());
+    CHECK(lines(result.text, both) == Lines{});
+  }
+}
+
+TEST_CASE("a text with '#' in quotes merges beside changed lines") {
+  const std::string claim = "at_most: 0.5 m}\n  - {that: \"a # b\", max: body.velocity, at_most: 9 m/s";
+  const std::string ours = with(with(loop_yaml, "400 N/m", "600 N/m"), "amplitude: 3 N", "amplitude: 4 N");
+  const std::string theirs = with(with(loop_yaml, "2 Hz}", "2 Hz, phase: 1 rad}"), "at_most: 0.5 m", claim);
+  const Merged result = merged(ours, theirs);
+  CHECK(result.conflicts.empty());
+  CHECK_THAT(result.text, Contains("that: \"a # b\"") && Contains("phase: 1 rad"));
+}
+
 TEST_CASE("an element of a Mux that one side names is a conflict where the other side exchanges its inputs") {
   const std::string base = with(loop_yaml, "  sum: ", "  v: {block: Mux, u: [push, spring]}\n  sum: ");
   const std::string exchanged = with(base, "[push, spring]}", "[spring, push]}"),

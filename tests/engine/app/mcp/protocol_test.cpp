@@ -232,6 +232,32 @@ TEST_CASE("a call that runs ends when it is cancelled, and has no answer") {
   CHECK(sent[1]["id"] == 3);
 }
 
+TEST_CASE("a ping is answered while a call runs") {
+  namespace mcp = stepwire::mcp;
+  const stepwire::reference::VerbWords verb{
+      "run", "run", "", {{{"FILE"}, "TEXT", {}, "file", true, false}}, {}};
+  std::vector<json> sent;
+  mcp::McpServer server(mcp::tools_of({verb}), {STEPWIRE_PROGRAM, "/"}, "1",
+                        [&](const std::string& message) { sent.push_back(json::parse(message)); });
+  server.post(request(1, "initialize", {{"protocolVersion", "2025-06-18"}}));
+  server.post(request(2, "tools/call", {{"name", "run"}, {"arguments", {{"text", endless}}}}));
+  server.post(request(3, "ping"));
+  REQUIRE(sent.size() == 1);  // no thread serves yet
+  CHECK(sent[0]["id"] == 3);
+  CHECK(sent[0]["result"] == json::object());
+}
+
+TEST_CASE("a call tells nothing of files outside of its folder") {
+  const Client client;
+  const std::string reads = diagram(
+      "1 ms", "1 s", "blocks:\n  c: {block: FromFile, file: /etc/passwdx, column: x}\nrecord: [c]\n", "");
+  const json wrong = client.call("check", {{"text", reads}});
+  CHECK_THAT(text_of(wrong), Contains("outside of the folder of the call") && !Contains("did you mean"));
+  const json listed = client.call("blocks", {{"name", "/etc"}});
+  CHECK(listed["isError"] == true);
+  CHECK_THAT(text_of(listed), Contains("outside of the folder of the call"));
+}
+
 TEST_CASE("lines of messages arrive in any pieces, and the last one may lack its end") {
   std::string bytes = "one\n\r\n  \ntwo\nthree";
   stepwire::mcp::LineReader lines([&](char* to, std::size_t) -> std::size_t {
