@@ -101,8 +101,10 @@ SideOfZero side_of_condition(const std::string& text) {
   return holds ? above : below;
 }
 
-/// Returns the sides of a block's functions at 0. A bend, such as that of Abs, has none: both sides agree.
-std::vector<SideOfZero> sides_of_zero(const diagram::DiagramBlock& block, std::size_t count) {
+/// Returns the sides of a block's functions at 0: of a signal that is true or false, false. A bend, such as
+/// that of Abs, has none: both sides agree.
+std::vector<SideOfZero> sides_of_zero(const diagram::DiagramBlock& block,
+                                      const std::vector<std::string>& docs, std::size_t count) {
   if (const auto formula = branches_of_formula(block)) {
     std::vector<SideOfZero> sides;
     const std::size_t points = std::max<std::size_t>(1, formula->texts.size());
@@ -113,8 +115,10 @@ std::vector<SideOfZero> sides_of_zero(const diagram::DiagramBlock& block, std::s
   for (const char* relation : {"operator", "criterion"})
     if (const std::string text = text_of(block, relation); !text.empty())
       return std::vector<SideOfZero>(count, side_of(text));
-  const bool is_logic = block.type().header.find("/logic/") != std::string::npos;  // where 0 is "off"
-  return std::vector<SideOfZero>(count, is_logic ? SideOfZero(below) : std::nullopt);
+  std::vector<SideOfZero> sides(count);
+  for (std::size_t k = 0; k < count; ++k)
+    if (docs[k * docs.size() / count].find("becomes true or false") != std::string::npos) sides[k] = below;
+  return sides;
 }
 
 /// Limits of a number: parameters, and the name of the state, empty for the first output.
@@ -376,7 +380,7 @@ class CoverageObserver::OfRun : run::SideObserver {
       one.infinite.resize(count / docs.size() * points);  // declaration by declaration, the first ones
       docs.resize(points);
     }
-    one.at_zero = sides_of_zero(block, one.infinite.size());
+    one.at_zero = sides_of_zero(block, docs, one.infinite.size());
     for (const std::string& name : names_of(docs, one.infinite.size()))
       add(one.owner, name, {"above", "below"});
     one.counted = true;
