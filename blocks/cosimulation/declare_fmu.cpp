@@ -63,6 +63,10 @@ void SteppedFmu::declare(Declare<SteppedFmu>& is) {
   declare_parameters(is);
   is.state<&SteppedFmu::unit_outputs>(
       {.unit = "*", .shape = "h", .doc = "its outputs after the last step", .settable = false});
+  is.diagnostic<&SteppedFmu::beyond_step>(
+      {.doc =
+           "the unit passes the ends of steps by a part of its own step, so that its outputs are later than "
+           "their rows; model exchange, or a period of whole internal steps, has none of this"});
   is.clock<&SteppedFmu::period>();
 }
 

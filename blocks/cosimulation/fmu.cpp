@@ -135,18 +135,21 @@ void SteppedFmu::update() {
     unit.exchange().length = period;
     if (unit.run(fmi::Operation::step))
       std::copy_n(unit.exchange().outputs(), unit.numbers_shown(), unit_outputs.data());
-    if (unit.works() && has_ended()) end_within_step();
+    if (unit.works()) judge_reached();
   }
   settle();
 }
 
-/// Ends the run at the time that the unit has reached, if it has not reached the end of its step.
-void SteppedFmu::end_within_step() {
+/// Ends the run at the time that a unit has reached that ends within its step. Reports one that has passed
+/// the end of its step.
+void SteppedFmu::judge_reached() {
   const fmi::Exchange& exchange = unit.exchange();
-  const double rounding = 1e-9 * exchange.length;
+  const double end = t + exchange.length, rounding = 1e-9 * std::max(exchange.length, end);
+  if (exchange.reached > end + rounding) beyond_step.raise(t);
+  if (!has_ended()) return;
   if (exchange.ended == 2)
     unit_over.raise(t);
-  else if (exchange.reached < t + exchange.length - rounding)
+  else if (exchange.reached < end - 1e-9 * exchange.length)
     unit_over.raise(std::max<double>(t, exchange.reached));
 }
 

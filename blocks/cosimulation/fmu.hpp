@@ -49,6 +49,7 @@ struct Fmu {
 /// FMU with its own solver, stepped from tick to tick.
 struct SteppedFmu : Fmu {
   DiscreteState<> unit_outputs{};  ///< outputs after the last step
+  Diagnostic beyond_step{};
   Period period{};
 
   void outputs();
@@ -58,7 +59,7 @@ struct SteppedFmu : Fmu {
   static void declare(Declare<SteppedFmu>& is);
 
  private:
-  void end_within_step();
+  void judge_reached();
 };
 
 /// FMU whose states are integrated by the diagram's solver.

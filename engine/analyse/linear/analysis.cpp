@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "engine/analyse/linear/delay_system.hpp"
 #include "engine/analyse/linear/gain_at_rest.hpp"
 
 namespace stepwire::linear {
@@ -28,8 +27,10 @@ Analysis analyse(Linearization linearization, std::optional<double> feedback) {
   const StateSpace& system = analysis.system;
   analysis.modes = modes_of(system);
   analysis.zeros = zeros_of(system.connected());
-  analysis.stable = is_stable(system);
-  analysis.knows_stability = analysis.stable || system.delays.empty() || count_unstable(system).has_value();
+  analysis.stability = stability_of(system);
+  if (analysis.stability.stable && system.delays.empty() && !is_stable(system))
+    analysis.notes.emplace_back(
+        "a pole at rest is not on the way from inputs to outputs, and does not count for stability");
   analysis.controllable = controllability(system);
   analysis.observable = observability(system);
   for (std::size_t i = 0; i < system.inputs.size(); ++i)

@@ -22,11 +22,10 @@ struct ChannelAnalysis {
 
 /// Poles, zeros, ranks and margins of a linear system.
 struct Analysis : Linearization {
-  std::string file{};           ///< Diagram file.
-  std::vector<Mode> modes;      ///< Poles with frequency and damping.
-  std::vector<Complex> zeros;   ///< Transmission zeros of the whole system.
-  bool stable = false;          ///< Stability of the system itself, without closing the loop.
-  bool knows_stability = true;  ///< False where the poles of a system with delays cannot be counted.
+  std::string file{};          ///< Diagram file.
+  std::vector<Mode> modes;     ///< Poles with frequency and damping.
+  std::vector<Complex> zeros;  ///< Transmission zeros of the whole system.
+  Stability stability;         ///< Stability of the system itself, without closing the loop.
   Rank controllable, observable;
   std::vector<ChannelAnalysis> channels;  ///< Outputs of the first input, then of the second, ...
 };

@@ -74,9 +74,15 @@ double frequency_of(const std::optional<Crossing>& crossing, double margin) {
   return crossing && !std::isnan(margin) ? crossing->frequency : none;
 }
 
+/// Returns a number of the least damped mode. In a stable system, poles at rest do not count.
 std::vector<double> least_damped(const Analysis& analysis, double Mode::*number) {
-  const auto least = std::ranges::min_element(analysis.modes, {}, &Mode::damping);
-  return {least == analysis.modes.end() ? none : (*least).*number};
+  double largest = 0.0;
+  for (const Mode& mode : analysis.modes) largest = std::max(largest, std::abs(mode.pole));
+  const Mode* least = nullptr;
+  for (const Mode& mode : analysis.modes)
+    if (!analysis.stability.stable || decays(analysis.system, mode.pole, largest))
+      if (!least || mode.damping < least->damping) least = &mode;
+  return {least ? least->*number : none};
 }
 
 using Unit = Column::Unit;

@@ -29,8 +29,8 @@ std::optional<Value> without_delays(const Analysis& analysis, Value value) {
   return analysis.system.delays.empty() ? std::optional(std::move(value)) : std::nullopt;
 }
 
-std::optional<bool> stability_of(const Analysis& analysis) {
-  return analysis.knows_stability ? std::optional(analysis.stable) : std::nullopt;
+std::optional<bool> stable_if_known(const Analysis& analysis) {
+  return analysis.stability.known ? std::optional(analysis.stability.stable) : std::nullopt;
 }
 
 Map<double> values_of(const std::vector<PointValue>& values) {
@@ -223,7 +223,7 @@ void declare(Record<Analysis>& is) {
       "zeros", [](const Analysis& of) { return without_delays(of, of.zeros); },
       "transmission zeros; null for a system with delays", "rad/s");
   is.field("modes", &Analysis::modes, "poles with frequency and damping");
-  is.field("stable", stability_of, "stability without feedback; null if undetermined");
+  is.field("stable", stable_if_known, "stability without feedback; null if undetermined");
   is.field(
       "controllability", [](const Analysis& of) { return without_delays(of, of.controllable); },
       "states that the inputs control; null for a system with delays");

@@ -131,12 +131,16 @@ void note_roughness(const WorkingPoint& point, const std::vector<Slopes>& all,
   notes.push_back(fmt::format("and {} more of this kind", more));
 }
 
-/// Adds a note on sampled blocks near the paths, but not on them; they keep their state.
+/// Adds a note on sampled blocks near the paths, but not on them; they keep their state. So do delays beside
+/// a sampled system.
 void note_held(const WorkingPoint& point, const plan::Plan& plan, std::vector<std::string>& notes) {
   std::vector<std::string> held;
-  for (std::size_t b = 0; b < plan.blocks.size(); ++b)
-    if (point.paths().samples[b] && point.paths().near_way(b) && !point.paths().on_way(b))
-      held.push_back(plan.diagram.blocks[b].name);
+  const Paths& paths = point.paths();
+  for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
+    const diagram::DiagramBlock& block = plan.diagram.blocks[b];
+    const bool is_held = paths.samples[b] || (point.sampled() && !block.type().delayed_by.empty());
+    if (is_held && paths.near_way(b) && !paths.on_way(b)) held.push_back(block.name);
+  }
   if (held.empty()) return;
   notes.push_back(fmt::format("not on the way from inputs to outputs, so without states here: {}",
                               fmt::join(held, ", ")));

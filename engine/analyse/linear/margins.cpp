@@ -146,31 +146,12 @@ double margin_at(const std::optional<Crossing>& crossing, bool stable, bool know
   return stable ? infinite : not_known;
 }
 
-/// Returns the fastest growing mode of all states, beyond rounding; std::nullopt if no mode grows.
-std::optional<Complex> growing(const StateSpace& closed) {
-  constexpr double rounding = 1e-8;
-  std::optional<Complex> found;
-  double largest = 0.0, fastest = 0.0;
-  const std::vector<Complex> poles = poles_of(closed);
-  for (const Complex& pole : poles) largest = std::max(largest, std::abs(pole));
-  for (const Complex& pole : poles) {
-    const double growth = closed.is_sampled() ? std::abs(pole) - 1.0 : pole.real();
-    if (growth <= rounding * (closed.is_sampled() ? 1.0 : largest) || growth <= fastest) continue;
-    fastest = growth;
-    found = pole;
-  }
-  return found;
-}
-
-/// Decides whether the closed loop is stable.
+/// Decides whether the closed loop is stable, with all states.
 void judge_stability(const StateSpace& closed, Margins& margins) {
-  if (closed.delays.empty() || !closed.A.allFinite()) {
-    margins.stable = is_stable(closed);
-    return;
-  }
-  const auto unstable = count_unstable(closed);
-  margins.stable = unstable == 0;
-  margins.knows_stability = unstable.has_value();
+  const Stability found = stability_of(closed);
+  margins.stable = found.stable;
+  margins.knows_stability = found.known;
+  margins.hidden = found.hidden;
   if (!margins.knows_stability)
     margins.notes.push_back(
         "the growing modes of the closed loop could not be counted: a pole is on the border within rounding, "
@@ -230,11 +211,7 @@ Margins margins_of(const StateSpace& all, double feedback) {
     if (std::abs(s) > 0.0 && std::isfinite(std::abs(s)))
       modes.push_back({pole, std::abs(s), -s.real() / std::abs(s)});
   }
-  judge_stability(closed, margins);
-  if (margins.stable && system.states.size() != all.states.size()) {
-    margins.hidden = growing(all.closed(feedback));
-    margins.stable = !margins.hidden;
-  }
+  judge_stability(all.closed(feedback), margins);
   const LoopGain loop(system, -feedback, modes);
   if (!system.is_sampled())
     margins.direct = loop.response().follows_all_turns() ? -feedback * loop.response().direct_value()

@@ -44,7 +44,7 @@ struct Margins {
 };
 
 /// Computes the margins of one input and one output under u = feedback y, so that L = -feedback * (output /
-/// input). Growing states outside of the loop make it unstable; an integrator there does not.
+/// input). Stability is that of stability_of().
 Margins margins_of(const StateSpace& all, double feedback);
 
 /// Returns the frequency [rad/s] at which the gain first falls below 1/sqrt(2) of its value at rest. Infinite

@@ -191,6 +191,28 @@ Matrices with_full_rows(Matrices m) {
   return m;
 }
 
+double largest_of(const std::vector<Complex>& poles) {
+  double largest = 0.0;
+  for (const Complex& pole : poles) largest = std::max(largest, std::abs(pole));
+  return largest;
+}
+
+/// Returns the fastest growing mode of all states, beyond rounding; std::nullopt if no mode grows.
+std::optional<Complex> growing(const StateSpace& system) {
+  constexpr double rounding = 1e-8;
+  std::optional<Complex> found;
+  double fastest = 0.0;
+  const std::vector<Complex> poles = poles_of(system);
+  const double largest = largest_of(poles);
+  for (const Complex& pole : poles) {
+    const double growth = system.is_sampled() ? std::abs(pole) - 1.0 : pole.real();
+    if (growth <= rounding * (system.is_sampled() ? 1.0 : largest) || growth <= fastest) continue;
+    fastest = growth;
+    found = pole;
+  }
+  return found;
+}
+
 }  // namespace
 
 void sort_by_size(std::vector<Complex>& values) {
@@ -237,12 +259,30 @@ bool is_stable(const StateSpace& system) {
   if (!system.A.allFinite()) return false;
   if (!system.delays.empty()) return count_unstable(system) == 0;
   const std::vector<Complex> poles = eigenvalues(system.A);
-  double largest = 0.0;
-  for (const Complex& pole : poles) largest = std::max(largest, std::abs(pole));
-  return std::ranges::all_of(poles, [&](const Complex& pole) {
-    if (!std::isfinite(std::abs(pole))) return false;
-    return system.is_sampled() ? std::abs(pole) < 1.0 - 1e-12 : pole.real() < -1e-12 * largest;
-  });
+  const double largest = largest_of(poles);
+  return std::ranges::all_of(poles, [&](const Complex& pole) { return decays(system, pole, largest); });
+}
+
+bool decays(const StateSpace& system, const Complex& pole, double largest) {
+  constexpr double rounding = 1e-12;
+  if (!std::isfinite(std::abs(pole))) return false;
+  return system.is_sampled() ? std::abs(pole) < 1.0 - rounding : pole.real() < -rounding * largest;
+}
+
+Stability stability_of(const StateSpace& system) {
+  const StateSpace part = system.connected();
+  Stability found;
+  if (part.delays.empty() || !part.A.allFinite()) {
+    found.stable = is_stable(part);
+  } else {
+    const auto unstable = count_unstable(part);
+    found.stable = unstable == 0;
+    found.known = unstable.has_value();
+  }
+  if (!found.stable || part.states.size() == system.states.size()) return found;
+  found.hidden = growing(system);
+  found.stable = !found.hidden;
+  return found;
 }
 
 std::vector<Complex> zeros_of(const StateSpace& system) {

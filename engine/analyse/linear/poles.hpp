@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/analyse/linear/state_space.hpp"
@@ -30,6 +31,21 @@ std::vector<Mode> modes_of(const StateSpace& system);
 /// poles_of() leaves out count, too. A pole within 1e-12 of the border (of the largest pole) counts as
 /// unstable. So does a system with delays whose poles cannot be counted.
 bool is_stable(const StateSpace& system);
+
+/// True for a pole that decays: beyond 1e-12 of the border, of the largest pole.
+bool decays(const StateSpace& system, const Complex& pole, double largest);
+
+/// Stability of a system under one rule, with and without feedback.
+struct Stability {
+  bool stable = false;
+  bool known = true;                ///< False where the poles of a system with delays cannot be counted.
+  std::optional<Complex> hidden{};  ///< Growing mode that is not on the way from inputs to outputs.
+};
+
+/// Judges a system. All poles of the states on the way from inputs to outputs must decay, also those that a
+/// zero cancels. A state is on the way by the non-zero elements of the matrices. Other states must not grow:
+/// an integrator that nothing reads does no harm.
+Stability stability_of(const StateSpace& system);
 
 /// Returns the invariant zeros, at which the system matrix loses rank. For a controllable and observable
 /// system they are its transmission zeros. A. Emami-Naeini, P. Van Dooren, "Computation of zeros of linear

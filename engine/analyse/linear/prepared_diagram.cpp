@@ -178,11 +178,11 @@ std::vector<int> delays_to_take(const diagram::Diagram& diagram, const Touched& 
   for (const Met& met : touched.from) from.push_back(met.block);
   for (const Met& met : touched.to) to.push_back(met.block);
   const Paths paths = find_paths(plan, from, to, prepared.cut);
-  for (std::size_t b = 0; b < plan.blocks.size(); ++b)
-    if (delays_time(plan.diagram.blocks[b]))
-      found.push_back(static_cast<int>(b));
-    else if (paths.on_way(b) && paths.samples[b])
-      return {};
+  for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
+    const bool is_delay = delays_time(plan.diagram.blocks[b]);
+    if (!is_delay && paths.on_way(b) && paths.samples[b]) return {};
+    if (is_delay && paths.near_way(b)) found.push_back(static_cast<int>(b));
+  }
   return found;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <map>
 
 #include "engine/model/diagram/named_signals.hpp"
@@ -107,14 +108,17 @@ void read_one(const yaml::Entry& entry, const plan::Plan& plan, const query::Nam
   Draft draft;
   if (!draft_table().read(entry.value, draft, inner) || draft.from.empty() || draft.to.empty()) return;
   NamedAnalysis analysis{entry.key, {draft.from, draft.to, draft.open, draft.time, draft.size}};
+  if (const yaml::Node* at = entry.value.find("at")) analysis.request.at = {inner.names.file, at->mark};
   if (draft.feedback) analysis.feedback = *draft.feedback == Draft::Feedback::positive ? 1.0 : -1.0;
   const auto from = found(plan, draft.from[0], true, inner.faults);
   const auto to = found(plan, draft.to[0], false, inner.faults);
   for (const WrittenName& name : draft.open) find_wire(plan.diagram, name, inner.faults);
   if (!(draft.time >= 0.0 && draft.time <= plan.diagram.stop))
-    inner.fault(entry.value.find("at")->mark,
+    inner.fault(analysis.request.at.mark,
                 fmt::format("the run goes from 0 to {} s; give a time within it, or a later 'stop'",
                             plan.diagram.stop));
+  else if (const std::string fault = between_ticks(draft.time, plan.diagram); !fault.empty())
+    inner.fault(analysis.request.at.mark, fault);
   if (!from || !to) return;
   const auto in = plan.dimension(from->signal), out = plan.dimension(to->signal);
   if (in && out) analysis.dimension = *out / *in;
@@ -122,6 +126,20 @@ void read_one(const yaml::Entry& entry, const plan::Plan& plan, const query::Nam
 }
 
 }  // namespace
+
+std::string between_ticks(double time, const diagram::Diagram& diagram, std::int64_t ticks) {
+  constexpr double rounding = 1e-6;  // share of a step
+  const double steps = time / diagram.step, period = static_cast<double>(ticks);
+  if (std::abs(steps - period * std::round(steps / period)) <= rounding) return "";
+  const double before = period * std::floor(steps / period) * diagram.step,
+               after = before + period * diagram.step;
+  const std::string what =
+      ticks == 1 ? fmt::format("ticks, which are {:.12g} s apart", diagram.step)
+                 : fmt::format("common ticks of the blocks that act at ticks, which are {:.12g} s apart",
+                               period * diagram.step);
+  return fmt::format("{:.12g} s is between two {}; write {:.12g} s{}", time, what, before,
+                     after <= diagram.stop ? fmt::format(" or {:.12g} s", after) : "");
+}
 
 std::optional<Signal> find_signal(const diagram::Diagram& diagram, const WrittenName& written,
                                   yaml::Faults& faults) {

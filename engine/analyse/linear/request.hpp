@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ struct Request {
   std::vector<WrittenName> open;  ///< Wires that are cut and hold their value.
   double time = 0.0;              ///< Time of the operating point [s].
   std::optional<double> size;     ///< Size of the differences (see DifferenceSizes::only).
+  yaml::Place at{};               ///< Place of the time in the file.
   bool whole = false;  ///< True: use all states of the diagram, not only those between inputs and outputs.
 };
 
@@ -34,6 +36,10 @@ struct Signal {
   diagram::SignalRef signal;
   std::optional<Eigen::Index> element{};  ///< Index from 0; std::nullopt: all elements.
 };
+
+/// Returns the refusal of a time [s] that is no multiple of `ticks` steps, with the instants before and after
+/// it; empty for a multiple.
+std::string between_ticks(double time, const diagram::Diagram& diagram, std::int64_t ticks = 1);
 
 /// Finds an output or a state by the names that `record` accepts, or an input of the diagram. A suffix ".2"
 /// selects an element. Faults suggest the nearest name.

@@ -116,7 +116,7 @@ class RowTimes {
       if (decays) slowest = std::max(slowest, 1.0 / decay);
       comes_to_rest_ = comes_to_rest_ && decays;
       const double period = 2.0 * std::numbers::pi / mode.frequency;
-      scales_.push_back({decays ? constants / decay : std::numeric_limits<double>::infinity(),
+      scales_.push_back({decays ? 2.0 * constants / decay : std::numeric_limits<double>::infinity(),
                          0.01 * (decays ? std::min(period, 1.0 / decay) : period)});
     }
     duration_ = slowest > 0.0 ? constants * slowest : fastest > 0.0 ? 40.0 / fastest : 1.0;
@@ -126,7 +126,8 @@ class RowTimes {
 
   double duration() const { return duration_; }
   bool comes_to_rest() const { return comes_to_rest_; }  ///< All modes decay.
-  double unit() const { return unit_; }                  ///< The smallest spacing [s].
+  double time_constant() const { return duration_ / constants; }
+  double unit() const { return unit_; }  ///< The smallest spacing [s].
   /// Returns the largest spacing that shows what moves at a time [s].
   double spacing(double time) const {
     double least = duration_ / steps;
@@ -146,6 +147,32 @@ class RowTimes {
   std::vector<Scale> scales_;
   double duration_ = 0.0, unit_ = 0.0;
   bool comes_to_rest_ = true;
+};
+
+/// Decides where a response ends: after its duration and where it has stayed at its last value for a time
+/// constant. Modes whose parts are larger than the whole way take longer than 8 time constants.
+///
+/// A settling time by the last row has the error of that row over the band of 2 %, times a time constant.
+class End {
+ public:
+  End(const StateSpace& system, const RowTimes& times) : times_(times) {
+    if (times.comes_to_rest()) rest_ = gain_at_rest(system);
+  }
+
+  /// True at the last row.
+  bool is_at(double time, double y) {
+    constexpr double rest_of_way = 3e-5, most_durations = 4.0;
+    if (time == 0.0) first_ = y;
+    if (std::abs(y - rest_) > rest_of_way * std::abs(rest_ - first_)) outside_ = time;
+    if (time < times_.duration() * (1.0 - 1e-9)) return false;
+    return time - outside_ >= times_.time_constant() || std::isnan(rest_) || rest_ == first_ ||
+           time > most_durations * times_.duration();
+  }
+
+ private:
+  const RowTimes& times_;
+  double rest_ = std::numeric_limits<double>::quiet_NaN();  ///< Last value, if there is one.
+  double first_ = 0.0, outside_ = 0.0;
 };
 
 /// Returns the transition matrix [A B; 0 I] of one step with the input held.
@@ -197,10 +224,10 @@ void add_extreme(ResponseCurve& curve, double x, double y, double slope_before, 
 /// Walks along the response of a system without delays.
 class HeldStep {
  public:
-  HeldStep(const StateSpace& system, const RowTimes& times) : system_(system), times_(times) {
+  HeldStep(const StateSpace& system, const RowTimes& times)
+      : system_(system), times_(times), end_(system, times) {
     x_ = Eigen::VectorXd::Zero(system.A.rows() + 1);
     x_[system.A.rows()] = 1.0;
-    if (times.comes_to_rest()) rest_ = gain_at_rest(system);
   }
 
   ResponseCurve curve() {
@@ -208,7 +235,7 @@ class HeldStep {
     for (std::int64_t at = 0;; at += std::int64_t{1} << level_) {
       const double time = static_cast<double>(at) * times_.unit();
       add(curve, time);
-      if (time >= times_.duration() * (1.0 - 1e-9) && is_over(curve)) return curve;
+      if (end_.is_at(time, curve.y.back())) return curve;
       choose_level(time);
       x_ = (turn() * x_).eval();
     }
@@ -226,14 +253,6 @@ class HeldStep {
     slope_ = slope;
     curve.x.push_back(time);
     curve.y.push_back(y);
-  }
-
-  /// False while a slow mode of a large part is still seen beside the whole way.
-  bool is_over(const ResponseCurve& curve) const {
-    constexpr double rest_of_way = 5e-4, most_durations = 2.5;
-    const double way = std::abs(rest_ - curve.y.front());
-    return !(std::abs(curve.y.back() - rest_) > rest_of_way * way) || way == 0.0 ||
-           curve.x.back() > most_durations * times_.duration();
   }
 
   void choose_level(double time) {
@@ -254,10 +273,10 @@ class HeldStep {
 
   const StateSpace& system_;
   const RowTimes& times_;
+  End end_;
   std::vector<Eigen::MatrixXd> turns_;
   Eigen::VectorXd x_;
   double slope_ = 0.0;
-  double rest_ = std::numeric_limits<double>::quiet_NaN();  ///< Last value, if there is one.
   int level_ = 0, rows_of_level_ = 0;
 };
 
@@ -287,18 +306,21 @@ ResponseCurve delayed_response(const StateSpace& system, const RowTimes& times) 
   constexpr double most_points = 2e4;
   const double step = grid_step(system, std::max(times.unit(), times.duration() / most_points));
   DelayedStep run(system, step);
+  End end(system, times);
   ResponseCurve curve{{0.0}, {run.output()}};
   double before = run.output(), rise = 0.0;
-  for (double point = 1.0; curve.x.back() < times.duration() * (1.0 - 1e-9); point += 1.0) {
+  bool ends = end.is_at(0.0, before);
+  for (double point = 1.0; !ends; point += 1.0) {
     run.advance();
     const double time = point * step, here = run.output();
+    ends = end.is_at(time, here);
     if (rise * (here - before) < 0.0 && curve.x.back() < time - 1.5 * step) {
       curve.x.push_back(time - step);
       curve.y.push_back(before);
     }
     if (here != before) rise = here - before;
     before = here;
-    if (time - curve.x.back() < times.spacing(time) * (1.0 - 1e-9) && time < times.duration()) continue;
+    if (time - curve.x.back() < times.spacing(time) * (1.0 - 1e-9) && !ends) continue;
     curve.x.push_back(time);
     curve.y.push_back(here);
   }

@@ -346,6 +346,7 @@ const yaml::KeyTable<TrimRequest, TrimReading>& trim_table() {
 
 TrimResult trim(const diagram::Diagram& diagram, const TrimRequest& request) {
   Request whole{names_of(request.inputs), names_of(request.outputs), {}, request.time, {}};
+  whole.at = request.at;
   whole.whole = true;
   const PreparedDiagram prepared = prepare(diagram, whole);
   if (prepared.inputs.size() != request.inputs.size() || prepared.outputs.size() != request.outputs.size())
@@ -378,7 +379,12 @@ const yaml::Key& trim_form() {
 TrimRequest read_trim(const yaml::Node& node, const query::SymbolTable& names, const plan::Plan& plan,
                       yaml::Faults& faults) {
   TrimRequest request;
-  trim_table().read(node, request, TrimReading(names, plan, faults));
+  const TrimReading read(names, plan, faults);
+  trim_table().read(node, request, read);
+  const yaml::Node* const at = node.find("at");
+  if (at) request.at = {names.file, at->mark};
+  if (const std::string fault = between_ticks(request.time, plan.diagram); at && !fault.empty())
+    read.fault(at->mark, fault);
   return request;
 }
 

@@ -26,6 +26,7 @@ struct TrimEntry {
 struct TrimRequest {
   std::vector<TrimEntry> states, inputs, outputs;
   double time = 0.0;  ///< Time at which sources are evaluated [s].
+  yaml::Place at{};   ///< Place of the time in the file.
 };
 
 /// A number of the operating point.

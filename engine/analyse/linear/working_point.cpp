@@ -12,26 +12,29 @@
 namespace stepwire::linear {
 namespace {
 
-[[noreturn]] void refuse(const yaml::Place& place, double time, const std::string& why) {
-  throw yaml::Error(
-      yaml::Fault{place, "at", yaml::fault_text("{} s is not within the run; {}", time, why), {}});
+[[noreturn]] void refuse(const yaml::Place& place, const std::string& why) {
+  throw yaml::Error(yaml::Fault{place, "at", why, {}});
 }
 
-/// Runs up to the first multiple of `base_ticks` at or after a time [s]. Throws Error with `place` if the run
-/// is shorter or fails.
+[[noreturn]] void refuse(const yaml::Place& place, double time, const std::string& why) {
+  refuse(place, fmt::format("{} s is not within the run; {}", time, why));
+}
+
+/// Runs up to a time [s]. Throws Error with `place` if it is no multiple of `base_ticks`, and if the run is
+/// shorter or fails.
 std::unique_ptr<run::Executor> run_up_to(const plan::Plan& plan, double time, std::int64_t base_ticks,
                                          const yaml::Place& place) {
   if (!(time >= 0.0 && time <= plan.diagram.stop))
     refuse(
         place, time,
         fmt::format("it goes from 0 to {} s; give a time within it, or a later 'stop'", plan.diagram.stop));
+  if (const std::string fault = between_ticks(time, plan.diagram, base_ticks); !fault.empty())
+    refuse(place, fault);
   auto run = std::make_unique<run::Executor>(plan);
-  const auto wanted = static_cast<std::int64_t>(std::llround(time / plan.diagram.step));
-  const std::int64_t end = (wanted + base_ticks - 1) / base_ticks * base_ticks;
   std::vector<record::Recorder> nothing_recorded;
   run::Drive drive(*run, nothing_recorded);
   drive.judges_steps = false;
-  drive.until = end;
+  drive.until = static_cast<std::int64_t>(std::llround(time / plan.diagram.step));
   if (drive.run() == run::Drive::End::paused) return run;
   if (const auto fault = run->fault()) throw yaml::Error(fault->fault);
   refuse(place, time,
@@ -39,11 +42,12 @@ std::unique_ptr<run::Executor> run_up_to(const plan::Plan& plan, double time, st
                      run->has_stopped() ? " or a block" : "", run->time()));
 }
 
-/// Throws Error with all blocks that a state-space analysis cannot describe.
-void require_linear(const plan::Plan& plan) {
+/// Throws Error with all blocks on the way that a state-space analysis cannot describe.
+void require_linear(const plan::Plan& plan, const Paths& paths) {
   yaml::Faults faults;
-  for (const diagram::DiagramBlock& block : plan.diagram.blocks)
-    if (const BlockType& type = block.type(); !type.delayed_by.empty())
+  for (std::size_t b = 0; b < plan.diagram.blocks.size(); ++b) {
+    const diagram::DiagramBlock& block = plan.diagram.blocks[b];
+    if (const BlockType& type = block.type(); !type.delayed_by.empty() && paths.on_way(b))
       faults.add(plan.diagram.fault(
           block.origin, block.name,
           fmt::format(
@@ -51,6 +55,7 @@ void require_linear(const plan::Plan& plan) {
               "states; put a Delay of whole sample times in its place, or a TransferFunction that "
               "approximates it",
               type.name)));
+  }
   faults.throw_if_any();
 }
 
@@ -65,12 +70,12 @@ WorkingPoint::WorkingPoint(const PreparedDiagram& diagram, const Request& reques
     : diagram_(diagram),
       paths_(find_paths(diagram.plan, diagram.input_blocks, diagram.output_blocks, diagram.cut)),
       sampled_(paths_.sampled()) {
-  if (diagram.delays.empty()) require_linear(diagram.plan);
   if (request.whole) {
     paths_.from_inputs.assign(diagram.plan.blocks.size(), 1);
     paths_.to_outputs = paths_.from_inputs;
     sampled_ = paths_.sampled();
   }
+  if (diagram.delays.empty()) require_linear(diagram.plan, paths_);
   if (sampled_) base_ticks_ = base_period(diagram.plan, paths_);
   run_to(request.time, request);
   cut();
@@ -90,7 +95,8 @@ double WorkingPoint::number(std::size_t offset) {
 }
 
 void WorkingPoint::run_to(double time, const Request& request) {
-  const yaml::Place place = request.from.empty() ? yaml::Place{} : request.from.front().place;
+  const bool has_from = request.at.file.empty() && !request.from.empty();
+  const yaml::Place& place = has_from ? request.from.front().place : request.at;
   run_ = run_up_to(diagram_.plan, time, base_ticks_, place);
   point_ = run_->workspace();
   leave_start();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -21,9 +22,14 @@ std::string unit_phrase(const unit::Dimension& dimension) {
 /// Returns the message for a number whose unit cannot be compared with `what`; empty if it can.
 std::string number_fault(const WantedNumber& number, const unit::Dimension& dimension,
                          const std::string& what) {
-  if (*number.dimension != dimension)
-    return fmt::format("{} {}, but {} {}", number.text, unit_phrase(*number.dimension), what,
-                       unit_phrase(dimension));
+  if (*number.dimension != dimension) {
+    const bool is_named = *number.dimension == unit::Dimension{} && !number.unit.empty();  // deg, %
+    const std::string wanted =
+        dimension == unit::Dimension{} ? "a number without unit" : unit::si_name(dimension);
+    return fmt::format("{} {}, but {} {}; write {}{}", number.text,
+                       is_named ? "is in " + number.unit : unit_phrase(*number.dimension), what,
+                       unit_phrase(dimension), dimension == unit::Dimension{} ? "" : "it in ", wanted);
+  }
   std::string other = unit::other_meaning_of_number(*number.dimension, dimension);
   if (!other.empty()) return fmt::format("{} {}", number.text, other);
   other = unit::other_meaning(dimension, *number.dimension);
@@ -36,6 +42,15 @@ std::string unit_of_temperature(const std::string& text, const SymbolTable& name
   const auto found = std::ranges::find(names.parameters, name, &KnownParameter::name);
   const auto unit = found == names.parameters.end() ? std::nullopt : unit::parse_unit(found->unit);
   return unit && unit->offset != 0.0L ? found->unit : "";
+}
+
+/// Returns the word behind a number that is no unit: "foo" of "1 foo"; empty for formulas.
+std::string wrong_unit(const std::string& text) {
+  const std::string word = unit_after_number(text);
+  const bool is_word = !word.empty() && word.size() < text.size() &&
+                       std::isalpha(static_cast<unsigned char>(word[0])) &&
+                       std::ranges::all_of(word, [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+  return is_word && !unit::parse_unit(word) ? word : "";
 }
 
 }  // namespace
@@ -68,6 +83,10 @@ std::optional<WantedNumber> read_number(const yaml::Node& node, const SymbolTabl
       return WantedNumber{quantity->value, quantity->dimension, unit_after_number(node.text), node.text};
   } else {
     faults.add({{names.file, node.mark}, subject, "a number is wanted here, such as '2 N'", {}});
+    return std::nullopt;
+  }
+  if (const std::string unit = wrong_unit(node.text); !unit.empty()) {
+    faults.add({{names.file, node.mark}, subject, fmt::format("'{}' is no unit", unit), {}});
     return std::nullopt;
   }
   const auto formula = read_formula(node, names, subject, faults);
@@ -112,8 +131,9 @@ double rounded(double value, int digits) {
 }
 
 std::string short_number(double value, int digits) {
-  constexpr double most_whole = 1e15;  // all digits of a double fit
-  if (value == 0.0) return "0";        // also -0
+  constexpr double most_whole = 1e15;   // all digits of a double fit
+  if (value == 0.0) return "0";         // also -0
+  if (std::isnan(value)) return "nan";  // without the sign that a NaN may have
   if (std::abs(value) < most_whole && value == std::trunc(value)) return fmt::format("{:.0f}", value);
   return fmt::format("{:.{}g}", value, digits);
 }

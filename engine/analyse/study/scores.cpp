@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <set>
 #include <unordered_map>
+#include <utility>
 
 #include "engine/analyse/statistics/descriptive.hpp"
 #include "engine/analyse/statistics/repeated_measures.hpp"
@@ -31,8 +34,9 @@ using json::Json;
 
 namespace {
 
-bool has(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+template <class Item>
+bool has(const std::vector<Item>& items, const Item& item) {
+  return std::ranges::find(items, item) != items.end();
 }
 
 /// Reads the cells of a table. Throws TableError, also for a missing file.
@@ -156,14 +160,30 @@ class ScoreReader {
     const std::vector<std::string>& texts = cells(name);
     Factor result{name, {}, {}, name == request_.subject};
     std::unordered_map<std::string, std::size_t> levels;
+    std::map<double, std::string> spellings;
+    const csv::Decimal decimal = decimal_of(texts);
     for (std::size_t row = 0; row < texts.size(); ++row) {
       if (texts[row].empty())
         throw table::TableError(fmt::format("{}:{}: '{}' is missing", path_, table_.lines[row], name));
       const auto [level, is_new] = levels.try_emplace(table::csv_word(texts[row]), result.levels.size());
       if (is_new) result.levels.push_back(level->first);
+      if (is_new) refuse_other_spelling(name, row, number(texts[row], decimal), spellings);
       result.level.push_back(level->second);
     }
     return result;
+  }
+
+  /// Fails for a level that is the number of another one in other digits, as 1.0 beside 1.
+  void refuse_other_spelling(const std::string& name, std::size_t row, const std::optional<double>& level,
+                             std::map<double, std::string>& spellings) const {
+    if (!level || std::isnan(*level)) return;
+    const std::string& text = cells(name)[row];
+    const auto [known, is_new] = spellings.try_emplace(*level, text);
+    if (!is_new)
+      throw table::TableError(fmt::format(
+          "{}:{}: the level '{}' of '{}' is the number of the level '{}'; write one of them in all "
+          "rows",
+          path_, table_.lines[row], table::csv_shown(text), name, table::csv_shown(known->second)));
   }
 
   const std::string& path_;
@@ -205,19 +225,74 @@ Observations without(const Observations& all, const std::string& name,
   return result;
 }
 
-/// Removes subjects without a score in one of the cells within subjects.
+/// Returns the factors within subjects of which most subjects have one level: "'g' counts as within subjects,
+/// since s 3 has several levels of it".
+std::string doubtful_within(const ScoresAnalysis& analysis) {
+  const Observations& all = analysis.observations;
+  const Factor& subject = all.factor(analysis.request.subject);
+  std::string text;
+  for (const std::string& name : analysis.within) {
+    const Factor& factor = all.factor(name);
+    std::vector<std::set<std::size_t>> own(subject.levels.size());
+    for (std::size_t row = 0; row < factor.level.size(); ++row)
+      own[subject.level[row]].insert(factor.level[row]);
+    const auto several = std::ranges::find_if(own, [](const auto& levels) { return levels.size() > 1; });
+    if (2 * std::ranges::count_if(own, [](const auto& levels) { return levels.size() > 1; }) >
+        std::ssize(own))
+      continue;
+    text += fmt::format("; '{}' counts as within subjects, since {} {} has several levels of it", name,
+                        subject.name, subject.levels[static_cast<std::size_t>(several - own.begin())]);
+  }
+  return text;
+}
+
+/// Returns the first few of some texts, and the number of the others.
+std::string first_of(const std::vector<std::string>& texts) {
+  constexpr std::size_t most = 6;
+  const std::size_t count = std::min(most, texts.size());
+  return fmt::format("{}{}",
+                     fmt::join(texts.begin(), texts.begin() + static_cast<std::ptrdiff_t>(count), "; "),
+                     count < texts.size() ? fmt::format("; and {} more", texts.size() - count) : "");
+}
+
+/// Removes subjects without a score in one of the cells within subjects. Throws StatisticsError where fewer
+/// than two are left.
 void leave_out(ScoresAnalysis& analysis) {
   std::vector<std::string> by{analysis.request.subject};
   by.insert(by.end(), analysis.within.begin(), analysis.within.end());
   std::vector<std::size_t> dropped;
   for (const statistics::Cell& cell : cells(analysis.observations, by)) {
-    const bool known = std::find(dropped.begin(), dropped.end(), cell.levels[0]) != dropped.end();
-    if (!cell.values.empty() || known) continue;
-    dropped.push_back(cell.levels[0]);
+    if (!cell.values.empty()) continue;
+    if (!has(dropped, cell.levels[0])) dropped.push_back(cell.levels[0]);
     analysis.left_out.push_back("no score for " + cell_name(analysis.observations, by, cell));
   }
-  if (!dropped.empty())
-    analysis.observations = without(analysis.observations, analysis.request.subject, dropped);
+  if (dropped.empty()) return;
+  const std::size_t left = analysis.observations.factor(by.front()).levels.size() - dropped.size();
+  if (left < 2)
+    throw statistics::StatisticsError(fmt::format(
+        "repeated measures need two subjects with a score in each cell, and there {}: {}{}",
+        left == 0 ? "is none" : "is one", first_of(analysis.left_out), doubtful_within(analysis)));
+  analysis.observations = without(analysis.observations, analysis.request.subject, dropped);
+}
+
+/// True where each level of a factor has the rows of one level of another one.
+bool are_alike(const Factor& one, const Factor& other) {
+  if (one.levels.size() != other.levels.size() || one.levels.size() < 2) return false;
+  std::set<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t row = 0; row < one.level.size(); ++row) pairs.emplace(one.level[row], other.level[row]);
+  return pairs.size() == one.levels.size();
+}
+
+/// Throws StatisticsError for two factors that are one under two names.
+void refuse_alike(const ScoresAnalysis& analysis) {
+  const std::vector<std::string>& names = analysis.request.factors;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    for (std::size_t k = i + 1; k < names.size(); ++k)
+      if (are_alike(analysis.observations.factor(names[i]), analysis.observations.factor(names[k])))
+        throw statistics::StatisticsError(
+            fmt::format("the factors '{}' and '{}' have the same rows at each level, so that their effects "
+                        "cannot be told apart; name one of them in --factors",
+                        names[i], names[k]));
 }
 
 /// Returns the factor whose levels are the cells within subjects; adds it if there are several factors.
@@ -364,6 +439,7 @@ ScoresAnalysis analyse_scores(const std::string& path, ScoresRequest request) {
   analysis.request = std::move(request);
   try {
     analysis.observations.check();
+    refuse_alike(analysis);
     analysis.request.subject.empty() ? analyse_independent(analysis) : analyse_subjects(analysis);
   } catch (const statistics::StatisticsError& error) {
     throw table::TableError(fmt::format("{}: {}", path, error.what()));

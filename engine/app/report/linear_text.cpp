@@ -77,6 +77,14 @@ std::string matrix_text(const char* name, const Eigen::MatrixXd& matrix,
   return text::text(table) + "\n";
 }
 
+std::string stability_text(const linear::Stability& stability) {
+  if (stability.stable) return "stable";
+  if (!stability.known) return "stability not determined";
+  if (!stability.hidden) return "not stable";
+  return fmt::format("not stable: {} grows, which is not on the way from input to output",
+                     complex_text(*stability.hidden));
+}
+
 std::string modes_text(const linear::Analysis& analysis) {
   std::vector<std::vector<std::string>> all;
   for (const linear::Mode& mode : analysis.modes)
@@ -88,9 +96,7 @@ std::string modes_text(const linear::Analysis& analysis) {
     row[0] += times_text(times);
     table.rows.push_back(std::move(row));
   }
-  return text::text(table) + fmt::format("  {}\n", analysis.stable            ? "stable"
-                                                   : analysis.knows_stability ? "not stable"
-                                                                              : "stability not determined");
+  return text::text(table) + fmt::format("  {}\n", stability_text(analysis.stability));
 }
 
 double decibels(double factor) {
@@ -99,13 +105,6 @@ double decibels(double factor) {
 
 double degrees(double angle) {
   return angle * 180.0 / std::numbers::pi;
-}
-
-std::string stability_text(const linear::Margins& margins) {
-  if (margins.stable) return "stable";
-  if (!margins.knows_stability) return "stability not determined";
-  if (!margins.hidden) return "not stable";
-  return fmt::format("not stable: {} grows outside of the loop", complex_text(*margins.hidden));
 }
 
 std::string crossings_text(const linear::Margins& margins) {
@@ -128,9 +127,9 @@ std::string crossings_text(const linear::Margins& margins) {
 }
 
 std::string margins_text(const linear::Margins& margins, double feedback) {
-  std::string text =
-      fmt::format("  closed by u = {}y: {}\n", feedback < 0.0 ? "-" : "", stability_text(margins)) +
-      crossings_text(margins);
+  std::string text = fmt::format("  closed by u = {}y: {}\n", feedback < 0.0 ? "-" : "",
+                                 stability_text({margins.stable, margins.knows_stability, margins.hidden})) +
+                     crossings_text(margins);
   if (std::isfinite(margins.delay()))
     text += fmt::format("  delay margin {} s\n", short_number(margins.delay(), 6));
   if (margins.knows_modulus)

@@ -101,10 +101,10 @@ std::string notes_text(const session::LoopOutcome& outcome) {
 std::string machine_text(const realtime::Machine& machine) {
   return fmt::format(
       "  machine: {}, {} processors{}; kernel {}; clock {}, governor {}, isolated {}\n"
-      "  kernel command line: {}\n  built with {}\n",
+      "  kernel options for timing: {}\n  built with {}\n",
       machine.processor, machine.processors, machine.virtual_machine ? ", virtual" : "", machine.kernel,
-      machine.clock_source, or_none(machine.governor), or_none(machine.isolated), machine.kernel_line,
-      session::compiler_version());
+      machine.clock_source, or_none(machine.governor), or_none(machine.isolated),
+      or_none(machine.kernel_line), session::compiler_version());
 }
 
 }  // namespace

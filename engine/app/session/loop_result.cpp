@@ -192,7 +192,8 @@ static void declare(Record<LoopMachine>& is) {
   is.field("processors", &LoopMachine::processors, "number of processors");
   is.field("virtual", &LoopMachine::virtual_machine, "true for a virtual machine");
   is.field("kernel", &LoopMachine::kernel, "kernel");
-  is.field("kernel_command_line", &LoopMachine::kernel_line, "boot command line");
+  is.field("kernel_command_line", &LoopMachine::kernel_line,
+           "words of the boot command line that matter for timing");
   is.field("governor", text_if_any(&LoopMachine::governor), "frequency governor");
   is.field("clock_source", text_if_any(&LoopMachine::clock_source), "clock source");
   is.field("isolated", text_if_any(&LoopMachine::isolated), "processors that the scheduler does not use");

@@ -60,7 +60,9 @@ bool take_out_groups(std::string& digits) {
   return true;
 }
 
-Pieces pieces_of(std::string_view text) {
+Pieces pieces_of(std::string text_of_cell) {
+  text::replace_all(text_of_cell, "\xE2\x88\x92", "-");  // the minus sign of typography
+  std::string_view text = text_of_cell;
   Pieces pieces;
   if (!text.empty() && (text.front() == '+' || text.front() == '-')) {
     if (text.front() == '-') pieces.sign = "-";
@@ -126,6 +128,16 @@ std::optional<CellNumber> cell_number(const std::string& text, Decimal decimal) 
   const bool grouped = pieces.grouped || pieces.digits.size() != length;
   std::ranges::replace(pieces.digits, ',', '.');
   return CellNumber{pieces.sign + pieces.digits + exponent_text(pieces.exponent), grouped};
+}
+
+std::string with_exponent_letter(const std::string& text) {
+  const std::size_t sign = text.find_last_of("+-");
+  if (sign == std::string::npos || sign == 0 || !are_digits(std::string_view(text).substr(sign + 1)))
+    return "";
+  const std::string mantissa = text.substr(0, sign);
+  const bool has_mark = mantissa.find_first_of(",.") != std::string::npos && is_digit(mantissa.back());
+  const std::string meant = mantissa + "e" + text.substr(sign);
+  return has_mark && shape_of(text) == Shape::other && shape_of(meant) != Shape::other ? meant : "";
 }
 
 bool is_missing(const std::string& text) {

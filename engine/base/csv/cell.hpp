@@ -32,6 +32,10 @@ struct CellNumber {
 /// std::nullopt for other texts and for a number with the other decimal mark.
 std::optional<CellNumber> cell_number(const std::string& text, Decimal decimal);
 
+/// Returns a number whose exponent of one or two digits lacks its letter with an 'e': "1.0e+3" for "1.0+3",
+/// which may also be two numbers. Empty for other texts.
+std::string with_exponent_letter(const std::string& text);
+
 /// True for an empty cell and for the usual words for a missing value: NaN, NA, N/A, #N/A, null, None.
 bool is_missing(const std::string& text);
 

@@ -28,10 +28,15 @@ bool is_value(const std::string& text) {
   return shape_of(text) != Shape::other || time_stamp(text).has_value();
 }
 
+/// True for a mark of a number without unit.
+bool is_dash(const std::string& unit) {
+  return unit == "-" || unit == "--" || unit == "\xE2\x80\x93";
+}
+
 /// True where a text in parentheses is a unit. The index of x(1) and the t of x(t) are not units.
 bool is_unit_in_parentheses(const std::string& unit, bool blank_before) {
   if (unit.empty() || is_value(unit) || (unit == "t" && !blank_before)) return false;
-  return unit::parse_unit(unit).has_value();
+  return is_dash(unit) || unit::parse_unit(unit).has_value();
 }
 
 /// Returns the unit of a cell in the row of units: brackets are removed, and a dash means "1".
@@ -39,17 +44,18 @@ std::string bare_unit(const std::string& cell) {
   const bool brackets = cell.size() > 2 && ((cell.front() == '[' && cell.back() == ']') ||
                                             (cell.front() == '(' && cell.back() == ')'));
   const std::string bare = brackets ? table::csv_trimmed(cell.substr(1, cell.size() - 2)) : cell;
-  return bare == "-" || bare == "--" ? "1" : bare;
+  return is_dash(bare) ? "1" : bare;
 }
 
 /// Splits a title into name and unit: "x [mm]", or "x (mm)" where the text in parentheses is a unit.
 table::Column titled_column(const std::string& title) {
   table::Column column = table::csv_column(title);
+  if (is_dash(column.unit)) column.unit = "1";
   const std::size_t open = title.rfind('(');
   if (!column.unit.empty() || open == std::string::npos || open == 0 || title.back() != ')') return column;
   const std::string unit = table::csv_trimmed(title.substr(open + 1, title.size() - open - 2));
   if (!is_unit_in_parentheses(unit, table::is_csv_blank(title[open - 1]))) return column;
-  return {table::csv_trimmed(title.substr(0, open)), unit, {}};
+  return {table::csv_trimmed(title.substr(0, open)), is_dash(unit) ? "1" : unit, {}};
 }
 
 /// Returns the columns of a header; a column without a name keeps its position. Columns of the same name with
@@ -185,6 +191,8 @@ std::optional<double> RecordColumn::seconds_of(const std::string& text, const st
 std::string RecordColumn::problem_of(const std::string& text) const {
   const Decimal other = decimal_ == Decimal::comma ? Decimal::point : Decimal::comma;
   if (const auto cell = cell_number(text, decimal_)) return table::csv_number_problem(cell->text);
+  if (const std::string meant = with_exponent_letter(text); !meant.empty())
+    return fmt::format("is no number; write an exponent with its letter, {}", meant);
   if (looks_like_time(text) && !has_numbers_)
     return "is no number, and no time that is known; write 2026-01-31T12:00:00, 20260131T120000 or "
            "31.01.2026 "
@@ -311,7 +319,9 @@ class RecordReader {
     if (!lines_.at_end()) lines_.skip_line_end();
     const std::vector<std::string> below = lines_.fields();
     lines_.go_to(here);
-    if (titles == 1 || below.size() == 1 || !std::ranges::all_of(below, is_value)) return marked;
+    const bool values = std::ranges::all_of(
+        below, [](const std::string& text) { return is_value(text) || !with_exponent_letter(text).empty(); });
+    if (titles == 1 || below.size() == 1 || !values) return marked;
     if (below.size() != titles) refuse_blanks(below.size(), marked);
     return below.size() == titles ? ' ' : marked;
   }

@@ -302,6 +302,8 @@ Interface read_interface(const pugi::xml_node& node, int version) {
   const bool two = version == 2;
   const bool saves = node.attribute(two ? "canGetAndSetFMUstate" : "canGetAndSetFMUState").as_bool();
   read.keeps_state = saves && node.attribute(two ? "canSerializeFMUstate" : "canSerializeFMUState").as_bool();
+  if (const double step = node.attribute("fixedInternalStepSize").as_double(); std::isfinite(step))
+    read.internal_step = std::max(0.0, step);
   read.only_once = node.attribute("canBeInstantiatedOnlyOncePerProcess").as_bool();
   read.needs_tool = node.attribute("needsExecutionTool").as_bool();
   return read;

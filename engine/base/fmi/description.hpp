@@ -50,6 +50,7 @@ struct Interface {
   bool keeps_state = false;  ///< true where its state can be serialised and restored
   bool only_once = false;    ///< true where a process may have only one instance
   bool needs_tool = false;
+  double internal_step = 0.0;  ///< its own steps [s]; 0: unknown
 };
 
 /// Annotation in exported units of ours: no output jumps by time alone.

@@ -10,15 +10,10 @@
 
 namespace stepwire::diagram {
 
-namespace {
-
-/// True for a unit whose numbers are not those of SI. A percent is a number.
 bool is_scaled(const std::string& unit) {
   const auto parsed = unit::parse_unit(unit);
   return parsed && unit != "%" && (parsed->scale != 1.0L || parsed->offset != 0.0L);
 }
-
-}  // namespace
 
 std::optional<WrittenNumber> written_number(const yaml::Node& node) {
   if (!node.is_scalar() || !unit::parse_quantity(node.text)) return std::nullopt;

@@ -15,6 +15,9 @@ struct WrittenNumber {
 };
 std::optional<WrittenNumber> written_number(const yaml::Node& node);
 
+/// True for a unit whose numbers are not those of SI. A percent is a number.
+bool is_scaled(const std::string& unit);
+
 /// True for a number that is written without unit. 0 and infinity need none.
 bool is_bare(const yaml::Node& node);
 

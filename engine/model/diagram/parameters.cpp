@@ -39,15 +39,30 @@ class UnitsOfElements {
  public:
   explicit UnitsOfElements(Eigen::Index size) : each_(static_cast<std::size_t>(size)) {}
 
-  void set(Eigen::Index element, const std::optional<unit::Dimension>& dimension) {
+  /// Takes the unit of a number, and its place.
+  void set(Eigen::Index element, const WrittenValue& written, const yaml::Node& node,
+           const ParameterScope& parameters) {
+    const std::optional<unit::Dimension>& dimension = written.dimension;
     each_[static_cast<std::size_t>(element)] = dimension;
+    const double* number = std::get_if<double>(&written.value.content);
+    if (number && !dimension && *number != 0.0 && !bare_ && has_no_unit(written.text, parameters))
+      bare_ = {&node, element};
     if (!dimension) return;
+    if (scaled_.empty() && is_scaled(written_unit(written.text))) scaled_ = written.text;
     differs_ = differs_ || (common_ && *common_ != *dimension);
     if (!common_ || !common_->zeros) common_ = dimension;
     has_degrees_ = has_degrees_ || dimension->zeros || dimension->per_difference;
   }
   /// True for units of temperatures beside others: what they mean is checked for whole signals alone.
   bool mixes_temperatures() const { return differs_ && has_degrees_; }
+  /// Returns the fault of a number or formula without unit beside a number in a unit other than SI, and its
+  /// place.
+  std::optional<std::pair<const yaml::Node*, yaml::Message>> bare_fault() const {
+    if (!bare_ || scaled_.empty() || differs_) return std::nullopt;
+    return std::pair{bare_->first,
+                     yaml::fault_text("element {} is {}, which has no unit beside {}; give it one",
+                                      bare_->second + 1, bare_->first->text, scaled_)};
+  }
   /// Returns numbers with these units.
   WrittenValue written(Value value, std::string text) && {
     WrittenValue result{std::move(value), differs_ ? std::nullopt : common_, std::move(text)};
@@ -56,8 +71,33 @@ class UnitsOfElements {
   }
 
  private:
+  static std::string written_unit(const std::string& text) {
+    yaml::Node node;
+    node.kind = yaml::Node::Kind::scalar;
+    node.text = text;
+    return unit_as_written(node);
+  }
+
+  /// True for a number without unit, and for a formula in which nothing has a unit.
+  static bool has_no_unit(const std::string& text, const ParameterScope& parameters) {
+    if (!text.starts_with('=')) return written_unit(text).empty();
+    const expression::Expression* const formula = parameters.expression(text.substr(1));
+    if (!formula) return false;
+    ParameterUses none;
+    std::vector<expression::Measure> measures;
+    for (const std::string& name : formula->variables()) {
+      const WrittenValue* const parameter = parameters.find(name, &none);
+      if (!parameter || parameter->dimension || !parameter->each.empty()) return false;
+      measures.push_back({std::nullopt, false});
+    }
+    const auto dimension = formula->measure(measures).dimension;
+    return !dimension || *dimension == unit::Dimension{};
+  }
+
   EachUnit each_;
   std::optional<unit::Dimension> common_;
+  std::optional<std::pair<const yaml::Node*, Eigen::Index>> bare_;  ///< first number without unit
+  std::string scaled_;                                              ///< first number in a unit other than SI
   bool differs_ = false, has_degrees_ = false;
 };
 
@@ -217,8 +257,6 @@ bool ValueReader::refuse_given(const WrittenValue& written) const {
 std::optional<WrittenValue> ValueReader::read(const yaml::Node& written, const std::string& subject) const {
   const yaml::Node node = with_formulas(written, false);
   if (node.is_map()) return read_with_unit(node, subject);
-  const yaml::Node* place = nullptr;
-  if (const auto fault = bare_element(node, place)) return refuse(*place, subject, *fault);
   if (node.is_list()) return read_list(node, subject);
   if (node.is_scalar()) return read_scalar(node, subject);
   return refuse(node, subject, "has no value");
@@ -272,10 +310,11 @@ std::optional<WrittenValue> ValueReader::read_list(const yaml::Node& node, const
     const double* number = std::get_if<double>(&element.value.content);
     numbers = numbers && number;
     if (number) std::get<Eigen::VectorXd>(list.content)[i] = *number;
-    units.set(i, element.dimension);
+    units.set(i, element, item, parameters_);
     texts.push_back({item.text, item.mark.line, item.mark.column});
   }
   if (!numbers) list.content = std::move(texts);
+  if (auto fault = units.bare_fault()) return refuse(*fault->first, subject, std::move(fault->second));
   if (units.mixes_temperatures()) return refuse(node, subject, no_mixed_temperatures);
   return std::move(units).written(std::move(list), "the list");
 }
@@ -299,9 +338,10 @@ std::optional<WrittenValue> ValueReader::read_rows(const yaml::Node& node, const
       const double* number = written ? std::get_if<double>(&written->value.content) : nullptr;
       if (!number) return refuse(item, subject, no_matrix);
       matrix(row, column) = *number;
-      units.set(column * matrix.rows() + row, written->dimension);
+      units.set(column * matrix.rows() + row, *written, element, parameters_);
     }
   }
+  if (auto fault = units.bare_fault()) return refuse(*fault->first, subject, std::move(fault->second));
   if (units.mixes_temperatures()) return refuse(node, subject, no_mixed_temperatures);
   return std::move(units).written({std::move(matrix)}, "the matrix");
 }

@@ -3,7 +3,11 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
+#include <sstream>
+#include <string_view>
 
 namespace stepwire::realtime {
 
@@ -29,6 +33,36 @@ std::string of_processor(const std::string& key) {
 
 }  // namespace
 
+std::string timing_words(const std::string& line) {
+  using namespace std::string_view_literals;
+  static constexpr std::array keys{"isolcpus"sv,
+                                   "nohz"sv,
+                                   "nohz_full"sv,
+                                   "rcu_nocbs"sv,
+                                   "rcu_nocb_poll"sv,
+                                   "mitigations"sv,
+                                   "preempt"sv,
+                                   "threadirqs"sv,
+                                   "irqaffinity"sv,
+                                   "idle"sv,
+                                   "intel_idle.max_cstate"sv,
+                                   "processor.max_cstate"sv,
+                                   "intel_pstate"sv,
+                                   "cpuidle.off"sv,
+                                   "nosmt"sv,
+                                   "clocksource"sv,
+                                   "tsc"sv,
+                                   "nowatchdog"sv,
+                                   "skew_tick"sv,
+                                   "kthread_cpus"sv};
+  std::istringstream words(line);
+  std::string found;
+  for (std::string word; words >> word;)
+    if (std::ranges::find(keys, std::string_view(word).substr(0, word.find('='))) != keys.end())
+      found += (found.empty() ? "" : " ") + word;
+  return found;
+}
+
 Machine Machine::here() {
   const std::string system = "/sys/devices/system/";
   Machine machine;
@@ -37,7 +71,7 @@ Machine Machine::here() {
   machine.virtual_machine = (of_processor("flags") + " ").find(" hypervisor ") != std::string::npos;
   utsname names{};
   if (::uname(&names) == 0) machine.kernel = std::string(names.release) + " " + names.version;
-  machine.kernel_line = first_line("/proc/cmdline");
+  machine.kernel_line = timing_words(first_line("/proc/cmdline"));
   machine.governor = first_line(system + "cpu/cpu0/cpufreq/scaling_governor");
   machine.clock_source = first_line(system + "clocksource/clocksource0/current_clocksource");
   machine.isolated = first_line(system + "cpu/isolated");

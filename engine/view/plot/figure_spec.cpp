@@ -87,6 +87,7 @@ FigureSpec figure_spec(const Figure& figure, std::span<const record::Recording> 
     } else {
       panel.kind->draw(panel, recordings, plot);
     }
+    plot.judge_marks();
     draw_overlays(panel, recordings, plot);
   }
   return builder.finished();

@@ -174,4 +174,15 @@ geometry::Curves curves_of(const Panel& panel, std::vector<std::vector<double>> 
                    axes);
 }
 
+void show_as_written(query::Series& swept, const query::SymbolTable& names) {
+  const query::RecordedName* name = names.find(swept.formula.text);
+  const auto unit = name ? unit::parse_unit(name->unit) : std::nullopt;
+  const auto& dimension = swept.formula.dimension;
+  if (!unit || name->unit.empty() || !dimension || unit->dimension != *dimension ||
+      swept.unit_text != unit::si_name(*dimension))
+    return;
+  swept.unit = *unit;
+  swept.unit_text = name->unit;
+}
+
 }  // namespace stepwire::plot

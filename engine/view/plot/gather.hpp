@@ -24,4 +24,7 @@ geometry::Curves curves_of(const Panel& panel, std::vector<std::vector<double>> 
 std::vector<std::string> labels_of(const query::Series& by, const std::vector<double>& groups,
                                    const record::Recording& recording, bool named = false);
 
+/// Sets the unit of a swept parameter in a legend to that of its numbers in the file.
+void show_as_written(query::Series& swept, const query::SymbolTable& names);
+
 }  // namespace stepwire::plot

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "engine/analyse/query/formula.hpp"
-#include "engine/analyse/query/number.hpp"
+#include "engine/view/plot/gather.hpp"
 
 namespace stepwire::plot {
 
@@ -23,6 +23,22 @@ std::vector<std::string> analyses_of(const query::SymbolTable& names) {
   return all;
 }
 
+/// Returns the swept parameters, in the units of the file.
+std::vector<query::Series> swept_columns(const query::NamesReading& read) {
+  std::vector<query::Series> all;
+  for (const query::RecordedName& column : read.names.columns) {
+    if (column.recording || column.name == "time") continue;
+    yaml::Node name;
+    name.kind = yaml::Node::Kind::scalar;
+    name.text = column.name;
+    if (auto series = read.series(name)) {
+      show_as_written(*series, read.names);
+      all.push_back(std::move(*series));
+    }
+  }
+  return all;
+}
+
 void read_analysis(Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
   const std::string name = read.text(node);
   if (!read.names.find(name + mark_of_analyses))
@@ -30,6 +46,7 @@ void read_analysis(Panel& panel, const yaml::Node& node, const query::NamesReadi
                       fmt::format("there is no linear analysis '{}'", name) +
                           yaml::nearest_or_all(name, analyses_of(read.names), "the section 'linear' has"));
   if (auto series = read.series(node)) panel.series["of"] = {std::move(*series)};
+  for (query::Series& series : swept_columns(read)) panel.series["of"].push_back(std::move(series));
 }
 
 }  // namespace
@@ -74,15 +91,14 @@ double LinearRows::number(const std::string& name, std::size_t run) const {
 std::string LinearRows::label(std::size_t run) const {
   if (run < panel_.legend.size()) return panel_.legend[run];
   if (runs() < 2 || runs() > most_labels) return {};
-  std::string text;
-  for (const table::Column& column : table_->columns) {
-    if (column.name == "time" || column.name.starts_with(name_)) continue;
-    const double value = column.values[first_row(run)];
-    text += fmt::format("{}{} = {}{}{}", text.empty() ? "" : ", ", column.name, query::short_number(value),
-                        column.unit.empty() || column.unit == "1" ? "" : " ",
-                        column.unit == "1" ? "" : column.unit);
+  std::vector<std::string> texts;
+  for (const query::Series& series : panel_.series.at("of")) {
+    const table::Column* column = table_->find(series.formula.columns.front());
+    if (&series == panel_.find("of") || !column) continue;
+    const double value = series.unit.from_si(column->values[first_row(run)]);
+    texts.push_back(labels_of(series, {value}, *recording_, true).front());
   }
-  return text;
+  return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 }  // namespace stepwire::plot

@@ -6,6 +6,7 @@
 
 #include "engine/analyse/query/number.hpp"
 #include "engine/view/plot/axis_checks.hpp"
+#include "engine/view/plot/gather.hpp"
 #include "engine/view/plot/overlay.hpp"
 #include "engine/view/plot/plot_kind.hpp"
 #include "engine/view/plot/run_numbers.hpp"
@@ -113,20 +114,9 @@ class PanelReader {
     for (const yaml::Node& item : entry.value.as_list())
       if (auto series = reduces_runs(item) ? read_run_series(item, reading(entry.key), panel_)
                                            : query::read_series(item, names_, subject, faults_)) {
-        if (entry.key == "by") show_as_written(*series);
+        if (entry.key == "by") show_as_written(*series, names_);
         panel_.series[entry.key].push_back(std::move(*series));
       }
-  }
-
-  /// Sets the unit of a swept parameter in the legend to that of its numbers in the file.
-  void show_as_written(query::Series& by) const {
-    const query::RecordedName* name = names_.find(by.formula.text);
-    const auto unit = name ? unit::parse_unit(name->unit) : std::nullopt;
-    if (!unit || name->unit.empty() || !by.formula.dimension || unit->dimension != *by.formula.dimension ||
-        by.unit_text != unit::si_name(*by.formula.dimension))
-      return;
-    by.unit = *unit;
-    by.unit_text = name->unit;
   }
 
   /// Returns the default of a channel that the file does not have, as an entry of the file.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -28,7 +29,8 @@ LineMark segment(double x, double low, double high, const LineStyle& line) {
 
 void add_response(const std::vector<double>& x, const std::vector<double>& y, const std::string& legend,
                   std::size_t run, PlotBuilder& plot) {
-  if (x.empty() || x.size() != y.size()) return;
+  const auto is_finite = [](double value) { return std::isfinite(value); };
+  if (x.size() != y.size() || std::ranges::none_of(y, is_finite)) return;
   for (const double value : x) plot.x.add(value);
   for (const double value : y) plot.y.add(value);
   plot.add(LineMark{{{x, y, {}, {}}}, {curve_color(run), 1.8}, 0.0, legend});

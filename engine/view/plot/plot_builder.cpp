@@ -46,6 +46,38 @@ PlotSpec::Legend legend_of(const std::vector<PlotMark>& marks) {
                                                            : PlotSpec::Legend::beside;
 }
 
+bool is_finite(const std::vector<double>& x, const std::vector<double>& y) {
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i)
+    if (std::isfinite(x[i]) && std::isfinite(y[i])) return true;
+  return false;
+}
+
+/// True for a mark of which nothing is seen: without a finite point.
+bool is_blank(const PlotMark& mark) {
+  const auto has_finite = [](const MarkRows& rows) { return is_finite(rows.x, rows.y); };
+  if (const auto* line = std::get_if<LineMark>(&mark)) return std::ranges::none_of(line->curves, has_finite);
+  if (const auto* points = std::get_if<PointsMark>(&mark)) return !has_finite(points->rows);
+  if (const auto* band = std::get_if<BandMark>(&mark)) return !is_finite(band->low, band->high);
+  if (const auto* image = std::get_if<ImageMark>(&mark)) return !is_finite(image->values, image->values);
+  return false;
+}
+
+bool is_one_point(const MarkRows& rows) {
+  const auto is_constant = [](const std::vector<double>& values) {
+    return std::ranges::all_of(values, [&](double value) { return value == values.front(); });
+  };
+  return !rows.x.empty() && is_constant(rows.x) && is_constant(rows.y) && is_constant(rows.z);
+}
+
+/// Draws a line whose curves are one point each as dots, since a line of no length is not seen.
+void show_points(LineMark& line) {
+  if (line.dots > 0.0 || !std::ranges::all_of(line.curves, is_one_point)) return;
+  line.dots = dot_size;
+  for (MarkRows& rows : line.curves)
+    for (std::vector<double>* column : {&rows.x, &rows.y, &rows.z, &rows.value})
+      if (column->size() > 1) column->erase(column->begin() + 1, column->end());
+}
+
 MarkRows rows_of_columns(const geometry::Curve& curve, bool space) {
   const std::size_t plain = space ? 3 : 2;
   MarkRows rows{curve.columns.at(0), curve.columns.at(1), {}, {}};
@@ -105,22 +137,34 @@ void PlotBuilder::plane(double room) {
   }
 }
 
+void PlotBuilder::judge_marks() {
+  is_blank_ = std::ranges::all_of(spec.marks, is_blank);
+  for (PlotMark& mark : spec.marks)
+    if (auto* line = std::get_if<LineMark>(&mark)) show_points(*line);
+}
+
 PlotSpec PlotBuilder::finished() {
   spec.title = panel_.title;
   spec.equal = panel_.equal;
   for (const auto& [axis, given] : {std::pair{&spec.x, &panel_.x.label}, {&spec.y, &panel_.y.label}})
     if (!given->empty()) axis->label = *given;
   spec.legend = legend_of(spec.marks);
-  if (spec.marks.empty()) {
+  const bool is_empty = spec.marks.empty() || std::ranges::all_of(spec.marks, is_blank);
+  if (is_empty) {
     spec.z.reset();
     spec.view.reset();
     for (PlotAxis* one : {&spec.x, &spec.y})
       *one = {.label = one->label, .unit = one->unit, .range = {{0.0, 1.0}}};
-    const std::string text =
-        panel_.where ? fmt::format("'{}' selects no rows", panel_.where->text) : "no rows to draw";
-    spec.texts.push_back({.text = text, .x = 0.5, .y = 0.5, .in_frame = true, .color = "#555555"});
   }
+  if (is_empty || is_blank_)
+    spec.texts.push_back({.text = blank_text(), .x = 0.5, .y = 0.5, .in_frame = true, .color = "#555555"});
   return std::move(spec);
+}
+
+/// Returns the text in place of what the plot would show.
+std::string PlotBuilder::blank_text() const {
+  if (!spec.marks.empty()) return "no finite numbers to draw";
+  return panel_.where ? fmt::format("'{}' selects no rows", panel_.where->text) : "no rows to draw";
 }
 
 double PlotBuilder::suitable_height() const {

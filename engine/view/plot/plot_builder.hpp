@@ -33,7 +33,10 @@ class PlotBuilder {
   /// Sets the ranges of x and y to the covered extent, widened by a share of their widths.
   void plane(double room);
 
-  /// Returns the spec with the position of its legend; without marks it has a text that there are no rows.
+  /// Judges the marks of the plot itself: a line that is one point becomes a dot, and marks without a finite
+  /// point are noted.
+  void judge_marks();
+  /// Returns the spec with the position of its legend. A text replaces marks that show nothing.
   PlotSpec finished();
   /// Returns a height that suits the plot [px].
   double suitable_height() const;
@@ -47,9 +50,14 @@ class PlotBuilder {
 
  private:
   PlotAxis& axis(const std::string& name);
+  std::string blank_text() const;
 
   const Panel& panel_;
+  bool is_blank_ = false;
 };
+
+/// Diameter of dots along a line [px].
+constexpr double dot_size = 4.875;
 
 /// Space for labels and a colour bar beside the axes, and for labels below and above them [px].
 constexpr double room_across = 150.0, room_up = 80.0;

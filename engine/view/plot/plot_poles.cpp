@@ -76,7 +76,7 @@ void draw_poles(const Panel& panel, std::span<const record::Recording> recording
     add_points(places_of(rows, "zero", run), PointsMark::Symbol::ring, 9.0, curve_color(run),
                one ? "zeros" : "", plot);
   }
-  if (rows.runs() > 0 && rows.sampled(0)) add_circle(plot);
+  if (!plot.spec.marks.empty() && rows.sampled(0)) add_circle(plot);
   finish(unit_of(rows), plot);
 }
 
@@ -109,7 +109,7 @@ void draw_locus(const Panel& panel, std::span<const record::Recording> recording
                run == 0 ? "closed loop, gain 1" : "", plot);
   }
   const double room = 0.5 * std::max(plot.x.width(), plot.y.width());
-  if (rows.runs() > 0 && rows.sampled(0)) {
+  if (!plot.spec.marks.empty() && rows.sampled(0)) {
     add_circle(plot);
   } else if (!plot.x.empty()) {
     for (geometry::Extent* extent : {&plot.x, &plot.y})
@@ -151,7 +151,7 @@ void add_margins(const LinearRows& rows, PlotBuilder& plot) {
 void draw_nyquist(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   const LinearRows rows(panel, recordings);
   for (std::size_t run = 0; run < rows.runs(); ++run) add_nyquist(rows, run, plot);
-  if (rows.runs() > 0) {
+  if (!plot.spec.marks.empty()) {
     add_circle(plot);
     plot.spec.texts.push_back({.text = "-1", .x = -1.0, .y = 0.0, .offset = {-0.9, 0.7}, .dot = 6.0});
   }
@@ -159,11 +159,25 @@ void draw_nyquist(const Panel& panel, std::span<const record::Recording> recordi
   finish("", plot);
 }
 
+/// Removes the end of a curve that looks like its last value.
+void shorten(Places& curve) {
+  constexpr double seen = 1e-3, beyond = 1.15;  // shares of the height and of the time
+  const auto [low, high] = std::ranges::minmax_element(curve.y);
+  const double least = seen * (*high - *low), last = curve.y.back();
+  std::size_t i = curve.y.size();
+  while (i > 0 && std::abs(curve.y[i - 1] - last) <= least) --i;
+  if (i == 0) return;
+  const auto end = std::ranges::upper_bound(curve.x, beyond * curve.x[i - 1]);
+  curve.y.resize(static_cast<std::size_t>(end - curve.x.begin()));
+  curve.x.erase(end, curve.x.end());
+}
+
 void draw_step(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   const LinearRows rows(panel, recordings);
   for (std::size_t run = 0; run < rows.runs(); ++run) {
-    const Places curve{rows.list("step.time", run), rows.list("step.response", run)};
+    Places curve{rows.list("step.time", run), rows.list("step.response", run)};
     if (curve.x.empty() || curve.x.size() != curve.y.size()) continue;
+    if (!panel.x.range) shorten(curve);
     cover(curve, plot);
     plot.add(LineMark{{{curve.x, curve.y, {}, {}}}, {curve_color(run), 1.8}, 0.0, rows.label(run)});
   }

@@ -96,7 +96,7 @@ LineStyle line_of(const Panel& panel, std::size_t entry, bool several) {
 
 /// Returns the size of dots. Final rows have dots if the file has no style.
 double dots_of(const Panel& panel, std::size_t entry) {
-  return panel.final_rows && entry >= styles_of(panel).size() ? 4.875 : 0.0;
+  return panel.final_rows && entry >= styles_of(panel).size() ? dot_size : 0.0;
 }
 
 geometry::Curve with_group_value(geometry::Curve curve, const geometry::Curves& all) {

@@ -36,6 +36,7 @@ test("the loop is cut at a wire, its margins are seen, and follow the gain", {sk
     await page.keyboard.press("b");
     await page.getByText("is added to the text").first().waitFor();
     await page.waitForFunction(() => /linear:\s*loop: \{from: (error|control)\.y, to: \1\.y, open: \1\.y\}figure:\s*- \{plot: bode, of: loop, title: The loop opened at \1\.y\}/.test(document.querySelector(".cm-content").textContent));
+    assert.equal(await page.locator(".cm-scroller").evaluate((scroller) => scroller.scrollLeft), 0);
     await page.getByRole("button", {name: "Restart"}).click();
     await page.waitForFunction(() => [...document.querySelectorAll(".figure svg text")].some((one) => / dB$/.test(one.textContent)));
     assert.ok(Math.abs(await margin(page) - 20 * Math.log10(border / 2)) < 0.2, `${await margin(page)} dB`);

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <xmmintrin.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cfenv>
 #include <cmath>
 #include <cstdlib>
 
 #include "tests/engine/base/table/scratch.hpp"
+#include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
 #include "tests/support/units/units.hpp"
 
@@ -19,7 +21,8 @@ namespace {
 using Catch::Contains;
 
 /// A diagram of one unit beside blocks of ours, whose numbers are rounded and, in `tiny`, denormal.
-std::string diagram(const Scratch& scratch, int version, const std::string& deed, const std::string& keys) {
+std::string bad_diagram(const Scratch& scratch, int version, const std::string& deed,
+                        const std::string& keys) {
   const std::string path = testing::write_zip(scratch.path("bad.fmu"), testing::bad_unit(version, deed));
   return fmt::format(R"(
 step: 10 ms
@@ -40,7 +43,7 @@ record: [wave, third, sum, lag, tiny]
 
 std::string fault_of(int version, const std::string& deed, const std::string& keys = "") {
   const Scratch scratch;
-  return error_of(diagram(scratch, version, deed, keys));
+  return error_of(bad_diagram(scratch, version, deed, keys));
 }
 
 /// Seconds that a unit may take, within a scope.
@@ -97,6 +100,18 @@ TEST_CASE("a last successful time that is no number, or that goes back, is refus
     CHECK_THAT(fault_of(3, deed), Contains("as its last successful time, in the step from 0.24"));
 }
 
+TEST_CASE(
+    "a unit that passes the end of a step by a part of its own step is taken, and one by more refused") {
+  CHECK(fault_of(3, "beyond DoStep").empty());
+  CHECK_THAT(fault_of(3, "far DoStep"),
+             Contains("that must be a time up to there") && Contains("; write 'interface: model_exchange'"));
+  const Scratch scratch;
+  const run::RunResult result = result_of(bad_diagram(scratch, 3, "beyond DoStep", ""));
+  CHECK(std::ranges::any_of(result.diagnostics, [](const auto& one) {
+    return one.text.find("passes the ends of steps by a part of its own step") != std::string::npos;
+  }));
+}
+
 TEST_CASE("an event of a unit at a time that is no number, or that is over, is refused") {
   for (const int version : {2, 3})
     for (const std::string deed : {"nan Update", "infinite Update", "backwards Update"})
@@ -115,11 +130,11 @@ TEST_CASE("a unit that sets the floating-point state in whatever call changes no
   const Scratch scratch;
   for (const int version : {2, 3})
     for (const std::string keys : {", isolate: false", ", isolate: false, interface: model_exchange"}) {
-      const auto right = run_text(diagram(scratch, version, "nothing DoStep", keys));
+      const auto right = run_text(bad_diagram(scratch, version, "nothing DoStep", keys));
       for (const std::string deed : {"upward", "flush"})
         for (const std::string call :
              {"Instantiate", "Initialize", "Get", "DoStep", "Update", "FreeInstance"}) {
-          const auto run = run_text(diagram(scratch, version, deed + " " + call, keys));
+          const auto run = run_text(bad_diagram(scratch, version, deed + " " + call, keys));
           INFO(version << keys << " " << deed << " " << call);
           for (const std::string name : {"wave", "third", "sum", "lag", "tiny"})
             CHECK(column(run, name) == column(right, name));
@@ -134,8 +149,8 @@ TEST_CASE("a unit in the program and one in a process of its own have the same b
   const Scratch scratch;
   for (const std::string interface : {"co_simulation", "model_exchange"}) {
     const auto inside =
-        run_text(diagram(scratch, 3, "nothing at all", ", isolate: false, interface: " + interface));
-    const auto isolated = run_text(diagram(scratch, 3, "nothing at all", ", interface: " + interface));
+        run_text(bad_diagram(scratch, 3, "nothing at all", ", isolate: false, interface: " + interface));
+    const auto isolated = run_text(bad_diagram(scratch, 3, "nothing at all", ", interface: " + interface));
     CHECK(column(inside, "sum") == column(isolated, "sum"));
   }
 }

@@ -78,6 +78,8 @@ double told(const Unit& unit, double right) {
   if (unit.does("nan")) return nan;
   if (unit.does("infinite")) return infinite;
   if (unit.does("backwards")) return -1.0;
+  if (unit.does("beyond")) return right + 0.002;
+  if (unit.does("far")) return right + 0.02;
   return right;
 }
 

@@ -29,7 +29,8 @@ const std::map<std::string, std::string> variables{
 <Float64 name="der(v)" valueReference="4" derivative="3"/>
 <Float64 name="e" valueReference="5" causality="parameter" start="0.7"/>
 <Float64 name="z" valueReference="7"/>)xml"},
-    {"stair", R"xml(<Int32 name="counter" valueReference="1" causality="output" initial="exact" start="1"/>)xml"},
+    {"stair",
+     R"xml(<Int32 name="counter" valueReference="1" causality="output" initial="exact" start="1"/>)xml"},
     {"fails", R"xml(<Float64 name="y" valueReference="1" causality="output"/>)xml"},
     {"crashes", R"xml(<Float64 name="y" valueReference="1" causality="output"/>)xml"}};
 
@@ -42,11 +43,11 @@ const std::map<std::string, std::string> structure{
 std::string feedthrough_variables() {
   std::string text;
   int reference = 0;
-  for (const char* type : {"Float64", "Float32", "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Int64",
-                           "UInt64", "Boolean"}) {
+  for (const char* type : {"Float64", "Float32", "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32",
+                           "Int64", "UInt64", "Boolean"}) {
     ++reference;
-    text += fmt::format("<{0} name=\"{0}_input\" valueReference=\"{1}\" causality=\"input\" start=\"0\"/>\n", type,
-                        reference);
+    text += fmt::format("<{0} name=\"{0}_input\" valueReference=\"{1}\" causality=\"input\" start=\"0\"/>\n",
+                        type, reference);
     text += fmt::format("<{0} name=\"{0}_output\" valueReference=\"{1}\" causality=\"output\"/>\n", type,
                         reference + 11);
   }
@@ -96,12 +97,14 @@ Entries bad_unit(int version, const std::string& deed) {
   const std::string about = fmt::format("fmiVersion=\"{}.0\" modelName=\"bad\" {}=\"{}\"", version,
                                         version == 3 ? "instantiationToken" : "guid", deed);
   const std::string variables =
-      version == 3 ? R"xml(<Float64 name="y" valueReference="1" causality="output"/><Float64 name="z" valueReference="2"/>)xml"
-                   : R"xml(<ScalarVariable name="y" valueReference="1" causality="output"><Real/></ScalarVariable>)xml";
+      version == 3
+          ? R"xml(<Float64 name="y" valueReference="1" causality="output"/><Float64 name="z" valueReference="2"/>)xml"
+          : R"xml(<ScalarVariable name="y" valueReference="1" causality="output"><Real/></ScalarVariable>)xml";
   const std::string description = fmt::format(
-      R"xml(<fmiModelDescription {}{}><ModelExchange modelIdentifier="unit"/><CoSimulation modelIdentifier="unit"/>
+      R"xml(<fmiModelDescription {}{}><ModelExchange modelIdentifier="unit"/><CoSimulation modelIdentifier="unit"{}/>
 <ModelVariables>{}</ModelVariables><ModelStructure>{}</ModelStructure></fmiModelDescription>)xml",
-      about, version == 3 ? "" : " numberOfEventIndicators=\"1\"", variables,
+      about, version == 3 ? "" : " numberOfEventIndicators=\"1\"",
+      version == 3 ? " fixedInternalStepSize=\"5e-3\"" : "", variables,
       version == 3 ? "<EventIndicator valueReference=\"2\"/>" : "");
   Entries entries{{"modelDescription.xml", description}};
   for (const char* platform : {"x86_64-linux", "aarch64-linux", "linux64"})

@@ -110,11 +110,24 @@ std::optional<double> number_of(const ParameterSpec& spec, const void* block) {
   return list && list->size() == 1 ? std::optional((*list)[0]) : std::nullopt;
 }
 
-std::string si_unit(const diagram::DiagramBlock& block, std::size_t parameter) {
+/// Returns a declared unit, "'u", without the word for differences.
+std::string declared_unit(const std::string& unit) {
+  const std::string differences = "delta ";
+  return unit.starts_with(differences) ? unit.substr(differences.size()) : unit;
+}
+
+/// Returns the SI unit of a block's number: that of the file, of the declaration, or of an output that is
+/// declared with the same unit.
+std::string si_unit(const plan::Plan& plan, int index, std::size_t parameter) {
+  const diagram::DiagramBlock& block = plan.diagram.blocks[static_cast<std::size_t>(index)];
   const auto& written = block.parameter_dimensions;
   if (parameter < written.size() && written[parameter]) return unit_text(*written[parameter]);
-  const auto unit = unit::parse_unit(block.type().parameters[parameter].unit);
-  return unit ? unit_text(unit->dimension) : "";
+  const std::string declared = declared_unit(block.type().parameters[parameter].unit);
+  if (const auto unit = unit::parse_unit(declared)) return unit_text(unit->dimension);
+  for (std::size_t o = 0; o < block.type().outputs.size(); ++o)
+    if (block.type().outputs[o].unit == declared)
+      return unit_text(plan.dimension({index, static_cast<int>(o), -1}));
+  return "";
 }
 
 class ParameterList {
@@ -169,14 +182,30 @@ class ParameterList {
       const std::string name = block.name + "." + spec.name;
       if (!value || !std::isfinite(*value) || bound_.contains({index, static_cast<int>(p)})) continue;
       if (!names_.insert(name).second) continue;
-      const std::string si = si_unit(block, p);
+      const std::string si = si_unit(run_.plan(), index, p);
       const std::string* written = text_of(block, p);
       const auto unit = written ? unit_of_text(*written, *value) : std::nullopt;
-      const std::string text = unit ? *written : fmt::format("{} {}", *value, si);
-      Json json = described(name, text, *value, si, unit.value_or(ShownUnit{si}));
-      json = ends_of(spec.range).add_to(std::move(json), *value, unit.value_or(ShownUnit{si}));
+      const auto others = !written || *value == 0.0 ? unit_of_others(block, p) : std::nullopt;
+      const ShownUnit shown = unit ? *unit : others.value_or(ShownUnit{si});
+      const std::string text = unit ? *written : fmt::format("{} {}", shown.shown(*value), shown.text);
+      Json json = described(name, text, *value, si, shown);
+      json = ends_of(spec.range).add_to(std::move(json), *value, shown);
       list_.push(json.set("doc", spec.doc).set("block", true));
     }
+  }
+
+  /// Returns the unit in which the file writes another number of the block that has the same declared unit.
+  std::optional<ShownUnit> unit_of_others(const diagram::DiagramBlock& block, std::size_t parameter) {
+    const auto& all = block.type().parameters;
+    if (all[parameter].unit == "1") return std::nullopt;
+    for (std::size_t p = 0; p < all.size(); ++p) {
+      const auto value = number_of(all[p], block.block.get());
+      const std::string* written = text_of(block, p);
+      if (p == parameter || !value || !written) continue;
+      if (declared_unit(all[p].unit) != declared_unit(all[parameter].unit)) continue;
+      if (const auto unit = unit_of_text(*written, *value); unit && unit->offset == 0.0) return unit;
+    }
+    return std::nullopt;
   }
 
   static Json described(const std::string& name, const std::string& text, double value, const std::string& si,

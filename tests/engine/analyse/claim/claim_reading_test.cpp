@@ -63,11 +63,16 @@ TEST_CASE("an unknown name is told with its place inside the expression and the 
 
 TEST_CASE("a number of the wrong kind is refused") {
   CHECK(faults_of("{that: a, max: rig.x, at_most: 2 N}") ==
-        "d.yaml:1:34: claims.at_most: 2 N is in N, but the claim's value is in m\n");
+        "d.yaml:1:34: claims.at_most: 2 N is in N, but the claim's value is in m; write it in m\n");
   CHECK(faults_of("{that: a, fraction: rig.x > 0, at_most: 2 N}") ==
-        "d.yaml:1:43: claims.at_most: 2 N is in N, but the claim's value has no unit\n");
+        "d.yaml:1:43: claims.at_most: 2 N is in N, but the claim's value has no unit; write a number without "
+        "unit\n");
+  CHECK(faults_of("{that: a, max: rig.x, equals: 2 mm, within: 1 deg}") ==
+        "d.yaml:1:47: claims.within: 1 deg is in deg, but the claim's value is in m; write it in m\n");
+  CHECK(faults_of("{that: a, max: rig.x, equals: 2 mm, within: 1 foo}") ==
+        "d.yaml:1:47: claims.within: 'foo' is no unit\n");
   CHECK(faults_of("{that: a, at: {time: 3 mm, value: rig.x}, at_most: 2 mm}") ==
-        "d.yaml:1:24: claims.at.time: 3 mm is in m, but a time is in s\n");
+        "d.yaml:1:24: claims.at.time: 3 mm is in m, but a time is in s; write it in s\n");
   CHECK(faults_of("{that: a, fit: [rig.x, push.force], at_least: 80}") ==
         "d.yaml:1:18: claims.fit: 'rig.x' is in m, but 'push.force' is in N\n");
   CHECK(faults_of("{that: a, max: rig.x, at_most: time}") ==

@@ -312,4 +312,56 @@ TEST_CASE("a delay of too many samples for matrices is refused at its block") {
                         Contains("at most 4000 states") && Contains("a longer period 'every'"));
 }
 
+TEST_CASE("a time between two ticks is refused with both") {
+  CHECK_THROWS_WITH(linear(cart, {"push"}, {"cart.position"}, {}, 0.0004),
+                    Contains("0.0004 s is between two ticks, which are 0.001 s apart; write 0 s or 0.001 s"));
+  const std::string sampled =
+      "step: 10 ms\nstop: 1 s\nsolver: rk4\nblocks:\n"
+      "  u: {block: Constant, value: 1}\n  x: {block: UnitDelay, u: u, every: 30 ms}\n"
+      "  y: {block: UnitDelay, u: x, every: 20 ms}\n";
+  CHECK(linear(sampled, {"u"}, {"y"}, {}, 0.12).time == Approx(0.12));
+  CHECK_THROWS_WITH(
+      linear(sampled, {"u"}, {"y"}, {}, 0.1),
+      Contains("common ticks of the blocks that act at ticks, which are 0.06 s apart; write 0.06 s or "
+               "0.12 s"));
+  CHECK_THROWS_WITH(linear(sampled, {"u"}, {"y"}, {}, 1.0),
+                    Contains("apart; write 0.96 s") && !Contains(" or "));
+}
+
+TEST_CASE("a delay beside the way from an input to an output is no obstacle") {
+  const std::string text =
+      "step: 10 ms\nstop: 1 s\nsolver: rk4\nblocks:\n"
+      "  u: {block: Constant, value: 1}\n  x: {block: UnitDelay, u: u, every: 10 ms}\n"
+      "  y: {block: Gain, u: x, gain: 3}\n"
+      "  late: {block: TransportDelay, u: x, delay: 50 ms}\n  z: {block: Gain, u: late, gain: 2}\n";
+  const Linearization found = linear(text, {"u"}, {"y"});
+  CHECK(found.system.C(0, 0) * found.system.B(0, 0) == Approx(3.0));
+  CHECK(mentions(found, "without states here: late"));
+  CHECK_THROWS_WITH(linear(text, {"u"}, {"z"}), Contains("TransportDelay cannot be linearised here"));
+}
+
+TEST_CASE("a pole at rest off the way counts nowhere, and one on the way everywhere") {
+  const auto found = [](const std::string& matrices) {
+    return analyse(
+        linear("step: 1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  r: {block: Constant, value: 0}\n"
+               "  g: {block: StateSpace, u: r, " +
+                   matrices + ", D: [[0]]}\n",
+               {"r"}, {"g"}));
+  };
+  const Analysis off = found("A: [[-1, 0], [1, 0]], B: [[1], [0]], C: [[2, 0]]");
+  CHECK(off.stability.stable);
+  CHECK(off.channels[0].margins.stable);
+  CHECK(std::ranges::any_of(off.notes,
+                            [](const std::string& note) { return note.find("at rest") != note.npos; }));
+  // 1/s - (1 - s)/(s (s + 1)) = 2/(s + 1): both states are on the way, and the pole at 0 is cancelled.
+  const Analysis cancelled = found("A: [[0, 0], [1, -1]], B: [[1], [-1]], C: [[1, -1]]");
+  CHECK_FALSE(cancelled.stability.stable);
+  CHECK_FALSE(cancelled.channels[0].margins.stable);
+  const Analysis grows = found("A: [[-1, 0], [1, 0.5]], B: [[1], [0]], C: [[2, 0]]");
+  CHECK_FALSE(grows.stability.stable);
+  REQUIRE(grows.stability.hidden);
+  CHECK(grows.stability.hidden->real() == Approx(0.5));
+  CHECK_FALSE(grows.channels[0].margins.stable);
+}
+
 }  // namespace stepwire::linear

@@ -98,4 +98,81 @@ TEST_CASE("a sampled response lasts until its slowest mode is over") {
     REQUIRE(curve.y[i] == Approx(1.0 - std::pow(0.99999, std::round(curve.x[i] / 1e-3))).margin(1e-9));
 }
 
+namespace {
+
+/// A sum of modes in parallel: 1 + sum of parts exp(-rate t).
+struct Modes {
+  std::vector<double> rates, parts;
+
+  double at(double t) const {
+    double y = 1.0;
+    for (std::size_t i = 0; i < rates.size(); ++i) y += parts[i] * std::exp(-rates[i] * t);
+    return y;
+  }
+  StateSpace system() const {
+    const auto n = static_cast<Eigen::Index>(rates.size());
+    StateSpace result =
+        siso(Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Ones(n), Eigen::RowVectorXd::Ones(n));
+    double direct = 1.0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      result.A(i, i) = -rates[k];
+      result.C(0, i) = -parts[k] * rates[k];
+      direct += parts[k];
+    }
+    result.D(0, 0) = direct;
+    return result;
+  }
+  /// Returns the last time at which the response leaves the band of 2 % of its way, by halving.
+  double settling_time() const {
+    const auto away = [&](double t) { return std::abs(at(t) - 1.0) - 0.02 * std::abs(1.0 - at(0.0)); };
+    double high = 1000.0;
+    while (away(high) < 0.0) high *= 0.999;
+    double low = high / 0.999;
+    for (int i = 0; i < 100; ++i) (away(0.5 * (low + high)) < 0.0 ? low : high) = 0.5 * (low + high);
+    return low;
+  }
+};
+
+/// The settling time by the rows, with the last row as the end.
+double settling_time(const ResponseCurve& curve) {
+  const double end = curve.y.back(), band = 0.02 * std::abs(end - curve.y.front());
+  std::size_t i = curve.y.size() - 1;
+  while (std::abs(curve.y[i] - end) <= band) --i;
+  const double here = std::abs(curve.y[i] - end), next = std::abs(curve.y[i + 1] - end);
+  return curve.x[i] + (here - band) / (here - next) * (curve.x[i + 1] - curve.x[i]);
+}
+
+}  // namespace
+
+TEST_CASE("the settling time of modes of any sizes and signs is that of their sum") {
+  for (const Modes& modes :
+       {Modes{{1.0}, {-1.0}}, Modes{{1.0, 5.0}, {9.0, -10.0}}, Modes{{1.0, 1.2}, {40.0, -41.0}},
+        Modes{{0.1, 1.0, 30.0}, {-0.5, 20.0, -20.5}}, Modes{{1.0, 100.0}, {-200.0, 199.0}},
+        Modes{{0.01, 1.0}, {0.015, -1.015}}, Modes{{1.0, 2.0, 3.0}, {-300.0, 600.0, -301.0}}}) {
+    INFO(modes.parts.front() << " " << modes.rates.front());
+    CHECK(settling_time(step_response(modes.system())) == Approx(modes.settling_time()).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("the settling time behind a delay in a loop is right, too") {
+  // y' = 1 - y(t - 0.3 s): by the method of steps y is the sum over k of (-1)^k (t - 0.3 k)^(k+1)/(k+1)!.
+  StateSpace system =
+      siso(Eigen::MatrixXd::Zero(1, 1), Eigen::VectorXd::Ones(1), Eigen::RowVectorXd::Ones(1));
+  system.B = Eigen::RowVector2d(1.0, -1.0);
+  system.C = Eigen::Vector2d(1.0, 1.0);
+  system.D = Eigen::Matrix2d::Zero();
+  system.delays = {{0.3, {"d", ""}, {"e", ""}}};
+  const auto y = [](double t) {
+    double sum = 0.0, factorial = 1.0;
+    for (int k = 0; t - 0.3 * k > 0.0; ++k, factorial *= k + 1)
+      sum += (k % 2 == 0 ? 1.0 : -1.0) * std::pow(t - 0.3 * k, k + 1) / factorial;
+    return sum;
+  };
+  double last = 0.0;
+  for (double t = 0.0; t < 8.0; t += 1e-5)
+    if (std::abs(y(t) - 1.0) > 0.02) last = t;
+  CHECK(settling_time(step_response(system)) == Approx(last).epsilon(1e-3));
+}
+
 }  // namespace stepwire::linear

@@ -147,4 +147,40 @@ TEST_CASE("what a table of scores lacks is named with its place") {
   CHECK_THROWS_WITH(analyse_scores(folder.path("b.csv"), {}), Contains("b.csv:2"));
 }
 
+TEST_CASE("subjects that all miss a cell are named with what they miss") {
+  const Scratch folder;
+  folder.file("a.csv",
+              "s,g,c,y\n1,a,x,1\n1,a,z,2\n2,a,x,2\n2,a,z,2.5\n3,b,x,3\n3,b,z,4\n3,a,x,3\n4,b,x,2\n4,b,z,5\n");
+  CHECK_THROWS_WITH(
+      analyse_scores(folder.path("a.csv"), {.subject = "s"}),
+      Contains("repeated measures need two subjects with a score in each cell, and there is none: "
+               "no score for s 1, g b, c x; no score for s 1, g b, c z; ") &&
+          Contains("; and 1 more; 'g' counts as within subjects, since s 3 has several levels of it"));
+  folder.file("b.csv", "s,c,y\n1,x,1\n1,z,2\n2,x,2\n3,z,3\n");
+  CHECK_THROWS_WITH(analyse_scores(folder.path("b.csv"), {.subject = "s"}),
+                    Contains("and there is one: no score for s 2, c z; no score for s 3, c x"));
+}
+
+TEST_CASE("two factors that are one under two names are refused") {
+  const Scratch folder;
+  folder.file("a.csv", "f,g,y\na,x,1\na,x,2\nb,y,3\nb,y,5\n");
+  for (const bool additive : {false, true})
+    CHECK_THROWS_WITH(analyse_scores(folder.path("a.csv"), {.additive = additive}),
+                      Contains("the factors 'f' and 'g' have the same rows at each level"));
+  CHECK(analyse_scores(folder.path("a.csv"), {.factors = {"f"}}).anova.find("f")->freedom == 1.0);
+}
+
+TEST_CASE("a level that is a number of another level in other digits is refused") {
+  const Scratch folder;
+  const auto read = [&](const std::string& rows) {
+    folder.file("a.csv", "g,y\n" + rows);
+    return analyse_scores(folder.path("a.csv"), {}).observations.factor("g").levels;
+  };
+  CHECK_THROWS_WITH(
+      read("1,1\n2,2\n1.0,3\n2,4\n"),
+      Contains("a.csv:4: the level '1.0' of 'g' is the number of the level '1'; write one of them"));
+  CHECK_THROWS_WITH(read("1,1\n2,2\n01,3\n2,4\n"), Contains("the level '01'"));
+  CHECK(read("1,1\n1a,2\n1,3\n1a,4\n") == std::vector<std::string>{"1", "1a"});
+}
+
 }  // namespace stepwire::study

@@ -159,6 +159,68 @@ claims:
   CHECK(std::filesystem::exists(folder.path("out/figure-3.svg")));
 }
 
+TEST_CASE("legends of linear analyses have the unit of the file, as those of lines") {
+  const Scratch folder;
+  folder.file("a.yaml", R"(stepwire: 1
+title: A lag of two time constants
+step: 1 ms
+stop: 100 ms
+solver: rk4
+parameters: {tau: 0.1 s}
+sweep: {tau: [50 ms, 200 ms]}
+blocks:
+  u: {block: Constant, value: 20 mm}
+  lag: {block: Lag, u: u, tau: $tau}
+record: [lag]
+linear: {p: {from: u, to: lag}}
+figure:
+  - {plot: bode, of: p}
+  - {plot: nyquist, of: p}
+  - {plot: step_response, of: p}
+  - {plot: poles, of: p}
+  - {plot: root_locus, of: p}
+  - {plot: lines, x: time, y: lag, by: tau}
+)");
+  const Done done = run_program(folder, {"run", "a.yaml", "--out", "out"});
+  INFO(done.err << done.out);
+  CHECK(done.code == 0);
+  for (const char* file : {"figure", "figure-2", "figure-3", "figure-4", "figure-5", "figure-6"}) {
+    INFO(file);
+    const std::string json = content_of(folder.path(std::string("out/") + file + ".json"));
+    CHECK_THAT(json, Contains("tau = 50 ms") && Contains("tau = 200 ms"));
+  }
+}
+
+TEST_CASE("a number of each run is drawn over a parameter as points") {
+  const Scratch folder;
+  folder.file("a.yaml", R"(stepwire: 1
+title: A lag of two time constants
+step: 1 ms
+stop: 100 ms
+solver: rk4
+parameters: {tau: 0.1 s}
+sweep: {tau: [50 ms, 200 ms]}
+blocks:
+  u: {block: Constant, value: 1}
+  lag: {block: Lag, u: u, tau: $tau}
+record: [lag]
+linear: {p: {from: u, to: lag}}
+figure:
+  - {plot: lines, x: tau, y: p.bandwidth}
+  - {plot: lines, x: tau, y: p.margin.phase}
+)");
+  const Done done = run_program(folder, {"run", "a.yaml", "--out", "out"});
+  INFO(done.err << done.out);
+  CHECK(done.code == 0);
+  const nlohmann::json points = json_file(folder, "out/figure.json")["panels"][0]["marks"][0];
+  INFO(points.dump());
+  CHECK(points["dots"].get<double>() > 0.0);
+  CHECK(points["curves"].size() == 2);
+  CHECK(points["curves"][0]["x"].size() == 1);
+  CHECK(points["curves"][0]["y"][0].get<double>() == Approx(20.0));
+  CHECK_THAT(content_of(folder.path("out/figure-2.json")), Contains("no rows to draw"));
+}
+
 TEST_CASE("equal poles are one line, and of many singular values the first are printed") {
   const Scratch folder;
   folder.file("a.yaml", R"(stepwire: 1

@@ -83,6 +83,24 @@ TEST_CASE("exponents of Fortran are read as those of C") {
   CHECK(number("1,0E+03", Decimal::comma) == 1000.0);
 }
 
+TEST_CASE("the minus sign of typography is a minus") {
+  CHECK(number("\xE2\x88\x92"
+               "2.5",
+               Decimal::point) == -2.5);
+  CHECK(number("1,5E"
+               "\xE2\x88\x92"
+               "03",
+               Decimal::comma) == 0.0015);
+}
+
+TEST_CASE("an exponent of two digits without its letter is known, and no number") {
+  CHECK(with_exponent_letter("1.0+3") == "1.0e+3");
+  CHECK(with_exponent_letter("-2,5-01") == "-2,5e-01");
+  CHECK_FALSE(is_number("1.0+3", Decimal::point));
+  for (const char* text : {"1.5-104", "1+3", "2026-01-31", "31.01.2026", "1.0e+3", "-1.5", "a.0+3", ""})
+    CHECK(with_exponent_letter(text) == "");
+}
+
 TEST_CASE("the words of other programs for a missing value are known") {
   for (const char* word : {"", "NaN", "nan", "NA", "N/A", "#N/A", "null", "NULL", "None", "-nan", "<NA>"}) {
     INFO(word);

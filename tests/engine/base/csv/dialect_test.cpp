@@ -126,6 +126,8 @@ TEST_CASE("units are read from brackets and parentheses in the header") {
   CHECK(unit("Time(s),x\n0,1\n", "Time") == "s");
   CHECK(unit("t [s],x (m/s)\n0,1\n", "x") == "m/s");
   CHECK(unit("t,x (filtered)\n0,1\n", "x (filtered)").empty());
+  for (const char* none : {"x [-]", "x (-)", "x [--]", "x [\xE2\x80\x93]"})
+    CHECK(unit(std::string("t,") + none + "\n0,1\n", "x") == "1");
   CHECK(unit("t,x(1)\n0,1\n", "x(1)").empty());
   CHECK(unit("t,x(t)\n0,1\n", "x(t)").empty());
   const std::string both = "t,F (N),F (kN)\n0,1,2\n";
@@ -190,6 +192,8 @@ TEST_CASE("times of several forms in a column are refused") {
 TEST_CASE("blanks part columns where a line below the names has as many numbers, as Fortran writes them") {
   CHECK(column("  t     x\n  0.0   1.0D+03\n  0.5   2.5D-01\n", "x") == Values{1000.0, 0.25});
   CHECK(column("# t x\n0 1\n1 2\n", "x") == Values{1.0, 2.0});
+  CHECK(problem("t x\n0.0 1.0+3\n0.5 2.5-1\n", "x") ==
+        "press.csv:2: '1.0+3' is no number; write an exponent with its letter, 1.0e+3 (column 'x')");
 }
 
 TEST_CASE("a first line for a spreadsheet names the separator") {

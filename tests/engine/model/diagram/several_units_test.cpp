@@ -185,8 +185,21 @@ TEST_CASE("a number without unit beside one in mm is refused with its place in t
   CHECK(fault("[5 mm, 2]") ==
         "test.yaml:9:38: c.value: element 2 is 2, which has no unit beside 5 mm; give it one");
   CHECK_THAT(fault("[2, 20 degC]"), Catch::Contains("element 1 is 2, which has no unit beside 20 degC"));
-  for (const char* right : {"[5 mm, 0]", "[5 m, 2]", "[5 mm, 20 deg, 3]", "[5 mm, 50 %]", "[5, 2]"})
+  CHECK(fault("[1 mm, = 2*3]") ==
+        "test.yaml:9:38: c.value: element 2 is = 2*3, which has no unit beside 1 mm; give it one");
+  CHECK_THAT(fault("[[1 mm, 2 mm], [3, 4 mm]]"), Catch::Contains("element 2 is 3"));
+  for (const char* right : {"[1 mm, = 2*3*(1 m)]", "[1 mm, = 0*3]", "[1 m, = 2*3]", "[5 mm, 0]", "[5 m, 2]",
+                            "[5 mm, 20 deg, 3]", "[5 mm, 50 %]", "[5, 2]"})
     CHECK(fault(right) == "");
+  const auto with = [](const std::string& list, const std::string& parameters) {
+    return faults_of(pendulum + "  c: {block: Constant, value: " + list + "}\nparameters: " + parameters +
+                     "\n");
+  };
+  CHECK(with("[1 mm, = 2*w]", "{w: 3 mm}").empty());
+  CHECK(with("[1 mm, = w*n]", "{w: 3 mm, n: 2}").empty());
+  CHECK(with("[1 mm, $w]", "{w: 3 mm}").empty());
+  for (const char* bare : {"[1 mm, = 2*n]", "[1 mm, $n]"})
+    CHECK_THAT(with(bare, "{n: 2}").at(0), Catch::Contains("which has no unit beside 1 mm"));
 }
 
 TEST_CASE("an element that is no number, or does not fit its signal, is named") {

@@ -104,4 +104,11 @@ TEST_CASE("a machine knows its processor and its kernel") {
   CHECK_FALSE(allowed_cpus().empty());
 }
 
+TEST_CASE("of a kernel's command line only the words that matter for timing are kept") {
+  CHECK(timing_words("BOOT_IMAGE=/vmlinuz root=UUID=1 quiet isolcpus=2-3 nohz_full=2-3 rcu_nocbs=2-3 "
+                     "mitigations=off preempt=full token=secret isolcpusx=1") ==
+        "isolcpus=2-3 nohz_full=2-3 rcu_nocbs=2-3 mitigations=off preempt=full");
+  CHECK(timing_words("quiet splash").empty());
+}
+
 }  // namespace stepwire::realtime

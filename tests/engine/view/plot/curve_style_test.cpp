@@ -35,4 +35,24 @@ TEST_CASE("each y of a plane has its own x where there are as many, else all hav
              Contains("figure.x: ") && Contains("one axis has one unit"));
 }
 
+TEST_CASE("a line whose curves are one point each is drawn as dots") {
+  const PlotSpec plot = spec_of("{plot: lines, x: current, y: push.force}", {0.1, 0.2});
+  const LineMark& points = mark<LineMark>(plot, 0);
+  CHECK(points.dots > 0.0);
+  REQUIRE(points.curves.size() == 2);
+  CHECK(points.curves[1].x == std::vector<double>{0.2});
+  CHECK(points.curves[1].y == std::vector<double>{5.0});
+  CHECK(mark<LineMark>(spec_of("{plot: lines, x: time, y: push.force}"), 0).dots == 0.0);
+}
+
+TEST_CASE("a panel without a finite number says that beside what lies over it") {
+  for (const std::string marks : {"", ", marks: {A: [0.5 s, 0 mm]}"}) {
+    const PlotSpec plot =
+        spec_of("{plot: lines, x: time, y: sqrt(0 - 1 - time/(1 s))*rig.x in mm" + marks + "}");
+    REQUIRE_FALSE(plot.texts.empty());
+    CHECK(
+        std::ranges::any_of(plot.texts, [](const TextMark& text) { return text.text == "no rows to draw"; }));
+  }
+}
+
 }  // namespace stepwire::plot

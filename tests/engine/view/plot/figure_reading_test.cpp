@@ -157,7 +157,7 @@ TEST_CASE("what a figure asks wrongly is told with its place") {
         "each a "
         "panel\n");
   CHECK(faults_of("{plot: lines, x: time, y: rig.x, x_range: [5 N, 6 s]}") ==
-        "d.yaml:1:44: figure.x_range: 5 N is in N, but 'time' is in s\n");
+        "d.yaml:1:44: figure.x_range: 5 N is in N, but 'time' is in s; write it in s\n");
   CHECK(faults_of("{plot: map, x: time, y: time, color: time, boundary: z}") ==
         "d.yaml:1:54: figure.boundary: 'z' is no coordinate of the plane, nor recorded; there are: x, y, "
         "time, current, rig.x, rig.v, push.force, slow\n");

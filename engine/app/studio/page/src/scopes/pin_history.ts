@@ -15,23 +15,30 @@ export interface LogEvent {
 const together = 0.25;
 const secondsOf = (time: number) => `${Number(time.toPrecision(4))} s`;
 
-/** Formats a value that was set; a bare number is SI. */
+/** Largest number of values that are listed one by one; a movement of a slider has more. */
+const listed = 3;
+
+/** True for a number without unit, which is SI. Sliders set such numbers, and typed ones have the unit of the field. */
+const isBare = (text: string) => text.trim() !== "" && Number.isFinite(Number(text));
+
+/** Formats a value that was set. */
 function setText(text: string, parameter: Parameter | undefined): string {
-  const number = Number(text);
-  return parameter && text.trim() !== "" && Number.isFinite(number) ? valueText(number, parameter.shown) : text;
+  return parameter && isBare(text) ? valueText(Number(text), parameter.shown) : text;
 }
 
 /** Returns "then 3.8 kg at 0.7 s" for each value, and a single text for a slider movement. */
 function changes(events: LogEvent[], parameter: Parameter | undefined, step: number): string[] {
   const moves: LogEvent[][] = [];
   for (const event of events) {
-    const last = moves.at(-1);
-    if (last && (event.tick - last.at(-1)!.tick) * step <= together) last.push(event);
+    const last = moves.at(-1)?.at(-1), areBare = [last, event].every((one) => isBare(one?.text ?? ""));
+    if (last && areBare && (event.tick - last.tick) * step <= together) moves.at(-1)!.push(event);
     else moves.push([event]);
   }
-  return moves.map((move) => {
-    const from = move[0].tick * step, to = move.at(-1)!.tick * step, text = setText(move.at(-1)!.text ?? "", parameter);
-    return from === to ? `then ${text} at ${secondsOf(to)}` : `then moved to ${text} from ${secondsOf(from)} to ${secondsOf(to)}`;
+  const textOf = (event: LogEvent) => setText(event.text ?? "", parameter), timeOf = ({tick}: LogEvent) => secondsOf(tick * step);
+  return moves.flatMap((move) => {
+    const first = move[0], last = move.at(-1)!;
+    if (move.length <= listed || first.tick === last.tick) return move.map((one) => `then ${textOf(one)} at ${timeOf(one)}`);
+    return [`then moved to ${textOf(last)} from ${timeOf(first)} to ${timeOf(last)}`];
   });
 }
 

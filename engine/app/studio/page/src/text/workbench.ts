@@ -1,8 +1,8 @@
 // Open files, their edits, and the active one. Drawing, tuning and palette make their edits through it, so that all share one undo history.
 
 import {isolateHistory} from "@codemirror/commands";
-import {EditorState, type Extension, Transaction, type TransactionSpec} from "@codemirror/state";
-import type {EditorView} from "@codemirror/view";
+import {EditorSelection, EditorState, type Extension, Transaction, type TransactionSpec} from "@codemirror/state";
+import {EditorView} from "@codemirror/view";
 import {type Connection, type DiagramFault, Fault} from "../connection/connection";
 import {type Change, setOf} from "./differences";
 import {Document, type Opened, textOf} from "./document";
@@ -15,6 +15,9 @@ export interface FileEntry {
   writable: boolean;
   part: boolean;
 }
+
+/** Scrolls to a range, to its begin where it is wider than the view. The margin keeps the first letters of lines in sight. */
+const scrollTo = (from: number, to: number) => EditorView.scrollIntoView(EditorSelection.range(to, from), {xMargin: 24});
 
 /** Fault with its range in the text of a file [UTF-16 offsets]. */
 export interface Mark {
@@ -193,7 +196,8 @@ export class Workbench {
       if (!document.state.doc.eq(base)) throw new Fault(`${document.name} was changed meanwhile`, "try it again");
       const first = changes.find((change) => (change.file ?? file) === one);
       this.dispatch(document, {changes: set, annotations: isolateHistory.of("full"), userEvent: "input.splice",
-        selection: first ? {anchor: set.mapPos(first.from, 1)} : undefined, scrollIntoView: true});
+        selection: first ? {anchor: set.mapPos(first.from, 1)} : undefined,
+        effects: first ? scrollTo(set.mapPos(first.from, -1), set.mapPos(first.from, 1)) : undefined});
     }
   }
 
@@ -210,7 +214,8 @@ export class Workbench {
   /** Selects a range and scrolls it into view; the focus does not move unless `focus`. */
   async reveal(file: number, from: number, to: number, focus = false): Promise<void> {
     const document = await this.activate(file), most = document.state.doc.length;
-    this.dispatch(document, {selection: {anchor: Math.min(to, most), head: Math.min(from, most)}, scrollIntoView: true, userEvent: "select.reveal"});
+    const first = Math.min(from, most), last = Math.min(to, most);
+    this.dispatch(document, {selection: {anchor: last, head: first}, effects: scrollTo(first, last), userEvent: "select.reveal"});
     if (focus) this.view?.focus();
   }
 
