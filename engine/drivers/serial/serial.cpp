@@ -97,8 +97,8 @@ class SerialDevice {
   int read(double* values) {
     for (int i = 0; i < most_reads; ++i) {
       const ssize_t got = ::read(line_.file(), bytes_.data() + filled_, bytes_.size() - filled_);
-      if (got < 0 && errno != EAGAIN && errno != EINTR) return STEPWIRE_FAILED;
-      if (got <= 0) break;
+      if (got == 0 || (got < 0 && errno != EAGAIN && errno != EINTR)) return STEPWIRE_FAILED;  // 0: unplugged
+      if (got < 0) break;
       filled_ += static_cast<std::size_t>(got);
       take_frames();
     }

@@ -84,10 +84,9 @@ std::unique_ptr<guard::Bank> opened(const IoRequest& request) {
 
 }  // namespace
 
-Rig::Rig(const std::string& file, const plan::Plan& plan, double period, int priority) {
-  const IoRequest request = read_io(file);
+Rig::Rig(const IoRequest& request, const Ports& ports, double period, int priority) {
   bank_ = opened(request);
-  wiring_ = wire(request, plan, *bank_, period);
+  wiring_ = wire(request, ports, *bank_, period);
   if (wiring_.guarded) {
     bank_.reset();  // the guard opens them
     io_ = std::make_unique<GuardedIo>(wiring_, priority);

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "engine/base/io/environment_error.hpp"
-#include "engine/simulate/devices/ports.hpp"
 
 namespace stepwire::devices {
 
@@ -41,8 +40,8 @@ struct Line {
 /// Connects the ports one by one, and collects all faults.
 class Wirer {
  public:
-  Wirer(const IoRequest& request, const plan::Plan& plan, guard::Bank& bank, double period)
-      : request_(request), bank_(bank), period_(period), in_(input_ports(plan)), out_(output_ports(plan)) {}
+  Wirer(const IoRequest& request, const Ports& ports, guard::Bank& bank, double period)
+      : request_(request), bank_(bank), period_(period), in_(ports.inputs), out_(ports.outputs) {}
 
   Wiring wiring() {
     all_.devices = device_settings(request_);
@@ -356,8 +355,19 @@ std::vector<guard::DeviceSettings> device_settings(const IoRequest& request) {
   return all;
 }
 
-Wiring wire(const IoRequest& request, const plan::Plan& plan, guard::Bank& bank, double period) {
-  return Wirer(request, plan, bank, period).wiring();
+Ports Ports::of(const plan::Plan& plan) {
+  return {input_ports(plan), output_ports(plan)};
+}
+
+Ports Ports::of(const IoRequest& request) {
+  Ports ports;
+  for (const InputRequest& one : request.inputs) ports.inputs.push_back({one.port, {}, {}});
+  for (const OutputRequest& one : request.outputs) ports.outputs.push_back({one.port, {}, 0.0});
+  return ports;
+}
+
+Wiring wire(const IoRequest& request, const Ports& ports, guard::Bank& bank, double period) {
+  return Wirer(request, ports, bank, period).wiring();
 }
 
 }  // namespace stepwire::devices

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/model/plan/plan.hpp"
 #include "engine/simulate/devices/io_request.hpp"
+#include "engine/simulate/devices/ports.hpp"
 #include "engine/simulate/guard/bank.hpp"
 #include "engine/simulate/guard/watch.hpp"
 
@@ -43,8 +43,17 @@ struct Wiring {
 /// Returns the devices of a request. Throws yaml::Error for unknown drivers and settings.
 std::vector<guard::DeviceSettings> device_settings(const IoRequest& request);
 
-/// Connects the ports of a diagram with the channels of its devices. `period` is that of the loop [s]. Throws
-/// yaml::Error with all faults.
-Wiring wire(const IoRequest& request, const plan::Plan& plan, guard::Bank& bank, double period);
+/// Ports of a loop.
+struct Ports {
+  std::vector<Port> inputs, outputs;
+
+  static Ports of(const plan::Plan& plan);
+  /// Returns those that a rig file names, of any unit, with safe values of 0.
+  static Ports of(const IoRequest& request);
+};
+
+/// Connects ports with the channels of devices. `period` is that of the loop [s]. Throws yaml::Error with all
+/// faults.
+Wiring wire(const IoRequest& request, const Ports& ports, guard::Bank& bank, double period);
 
 }  // namespace stepwire::devices

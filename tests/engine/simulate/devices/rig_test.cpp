@@ -107,7 +107,7 @@ guard: false
   one.rig->device().rest(ends);
   const auto lines = one.rig->finish();
   CHECK_THAT(lines.back(),
-             Contains("output current was held at its limits in 4 and at its rate in 5 of 6 steps"));
+             Contains("output current was held at its limits in 4 and at its rate in 3 of 6 steps"));
   const auto drive = one.written("drive");
   const std::vector expected{0.2, 0.3, 0.5, 0.7, 0.7, 0.5, 0.3};
   for (std::size_t i = 0; i < expected.size(); ++i) CHECK(drive[i] == Approx(expected[i]));
@@ -160,7 +160,7 @@ clock: card
        {":4:3: forse: the diagram has no input 'forse'; did you mean 'force'?",
         ":5:3: inputs.force: the device 'card' has no input 'volts'; did you mean 'volt'?",
         ":6:3: inputs.arm.1: there is no device 'crad'; did you mean 'card'?",
-        ":7:3: inputs.arm.2: is in 1, and its channel in V; 'scale' leads from one to the other, in 1/V",
+        ":7:3: inputs.arm.2: is in rad, and its channel in V; 'scale' leads from one to the other, in 1/V",
         "outputs.current.scale: has the unit V/N; it must be in", "outputs.current.limits: does not rise",
         "outputs.current.rate: has the unit A; it must be in A/s",
         "outputs.angle.1: has a safe value out of its limits",
