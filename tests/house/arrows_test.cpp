@@ -13,7 +13,8 @@ namespace {
 using Folders = std::set<std::string>;
 
 /// The floors, from below.
-const std::vector<std::string> floors{"base", "model", "simulate", "analyse", "stepwire", "view", "app"};
+const std::vector<std::string> floors{"base",    "drivers",  "model", "simulate",
+                                      "analyse", "stepwire", "view",  "app"};
 
 std::string floor_of(const std::string& room) {
   return room.substr(0, room.find('/'));
@@ -27,7 +28,7 @@ std::ptrdiff_t height_of(const std::string& room) {
 std::map<std::string, Folders> links() {
   std::string text;
   for (const Line& line : lines_of("engine/CMakeLists.txt")) text += line.text + "\n";
-  const std::regex library(R"re(stepwire_library\(engine/(\w+(?:/\w+)*)([^)]*)\))re"),
+  const std::regex library(R"re(stepwire_(?:library|driver)\(engine/(\w+(?:/\w+)*)([^)]*)\))re"),
       link(R"re(engine_\w+)re");
   const std::sregex_iterator begin(text.begin(), text.end(), library), end;
   std::map<std::string, std::string> rooms;  // "base/io" of a link to "engine_base_io"

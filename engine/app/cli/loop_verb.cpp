@@ -6,9 +6,11 @@
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cli/model_call.hpp"
 #include "engine/app/cli/monitoring.hpp"
+#include "engine/app/cli/real_time_call.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/report/loop_text.hpp"
 #include "engine/app/session/loop_run.hpp"
+#include "engine/base/text/characters.hpp"
 
 namespace stepwire::cli {
 namespace {
@@ -21,6 +23,8 @@ ExitCode code_of_loop(const session::LoopOutcome& outcome) {
       return ExitCode::interrupted;
     case realtime::Loop::End::fault:
       return ExitCode::wrong;
+    case realtime::Loop::End::device:
+      return ExitCode::surroundings;
     case realtime::Loop::End::done:
       break;
   }
@@ -31,6 +35,7 @@ ExitCode code_of_loop(const session::LoopOutcome& outcome) {
 ExitCode print_troubles(const session::LoopOutcome& outcome) {
   ExitCode code = code_of_loop(outcome);
   if (const auto fault = outcome.loop.simulation().fault()) complain("{}\n", fault->fault.text());
+  if (!outcome.device_fault.empty()) complain("{}\n", text::visible(outcome.device_fault));
   if (!outcome.rows || outcome.rows->trouble.empty()) return code;
   complain("{}; {} rows are lost\n", outcome.rows->trouble, outcome.rows->lost_to_disk);
   return worst(code, ExitCode::surroundings);
@@ -43,11 +48,15 @@ void add_loop_options(CLI::App& verb, session::LoopCall& call) {
       ->capture_default_str();
   add_timing_options(verb, words);
   add_engine_option(verb, call.engine, "interpreted, or compiled before the loop begins; to the same bits");
+  verb.add_option("--io", call.io, "file that says which input and output is which channel of which device")
+      ->type_name("RIG.yaml");
   verb.add_option("--out", call.out, "folder for signals.csv, inputs.csv, loop.json, loop.svg");
   verb.add_flag("--baseline", call.baseline, "measure cyclictest by turns, and set it beside the loop");
 }
 
-ExitCode loop(const session::LoopCall& call, const Registry& registry) {
+}  // namespace
+
+ExitCode run_in_real_time(const session::LoopCall& call, const Registry& registry) {
   const EndDelay delay(EndDelay::Signals::all);
   ExitCode code = ExitCode::done;
   session::run_loop(call, registry, terminal_monitor(nullptr), [&](const session::LoopOutcome& outcome) {
@@ -58,6 +67,8 @@ ExitCode loop(const session::LoopCall& call, const Registry& registry) {
   return code;
 }
 
+namespace {
+
 Action declare_loop(CLI::App& verb) {
   const auto call = std::make_shared<session::LoopCall>();
   const auto words = std::make_shared<LoadWords>();
@@ -65,7 +76,7 @@ Action declare_loop(CLI::App& verb) {
   add_load_options(verb, *words);
   return [call, words](const Registry& registry) {
     call->load = load_options(*words);
-    return loop(*call, registry);
+    return run_in_real_time(*call, registry);
   };
 }
 

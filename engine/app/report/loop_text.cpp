@@ -41,10 +41,13 @@ std::string row_of(const std::string& name, const realtime::Histogram& times) {
                      us(times.quantile(0.99)), us(times.quantile(0.999)), us(times.max()));
 }
 
-std::string times_text(const realtime::Measurements& measured) {
+std::string times_text(const session::LoopOutcome& outcome) {
+  const realtime::Measurements& measured = outcome.loop.measurements();
   return fmt::format("  {:<22}{:>10}{:>10}{:>10}{:>12}\n", "times in us", "p50", "p99", "p99.9", "max") +
          row_of("wake-up latency", measured.wake_up()) + row_of("response", measured.response()) +
-         row_of("cost of a step", measured.step());
+         row_of("cost of a step", measured.step()) +
+         (outcome.has_devices ? row_of("  read", measured.reading()) + row_of("  write", measured.writing())
+                              : "");
 }
 
 std::string baseline_text(const realtime::CyclictestHistogram& baseline) {
@@ -92,6 +95,7 @@ std::string notes_text(const session::LoopOutcome& outcome) {
           "s)\n",
           text::visible(loop.path), diagram_of(outcome).algebraic_loops.max_iterations, loop.unsolved,
           loop.instants, loop.first_unsolved);
+  for (const std::string& line : outcome.device_lines) text += fmt::format("  {}\n", text::visible(line));
   for (const std::string& line : outcome.served.refused) text += fmt::format("  note {}\n", line);
   if (diagram_of(outcome).stop < outcome.settings.duration)
     text += fmt::format("  note the file's stop of {:.6g} s does not end a loop\n", diagram_of(outcome).stop);
@@ -110,7 +114,7 @@ std::string machine_text(const realtime::Machine& machine) {
 }  // namespace
 
 std::string loop_text(const session::LoopOutcome& outcome) {
-  std::string text = head_text(outcome) + times_text(outcome.loop.measurements());
+  std::string text = head_text(outcome) + times_text(outcome);
   if (outcome.baseline) text += baseline_text(outcome.baseline->histogram());
   text += groups_text(outcome.loop.group_costs()) + counts_text(outcome);
   if (outcome.rows) text += rows_text(*outcome.rows);

@@ -252,8 +252,10 @@ const LoopSettings& settings_of_loop(const LoopOutcome& of) {
 }
 
 std::vector<std::string> loop_faults(const LoopOutcome& of) {
-  const auto fault = of.loop.simulation().fault();
-  return fault ? std::vector<std::string>{fault->fault.text()} : std::vector<std::string>{};
+  std::vector<std::string> faults;
+  if (const auto fault = of.loop.simulation().fault()) faults.push_back(fault->fault.text());
+  if (!of.device_fault.empty()) faults.push_back(of.device_fault);
+  return faults;
 }
 
 std::vector<AlgebraicLoop> algebraic_loops_of(const LoopOutcome& of) {
@@ -287,6 +289,10 @@ void add_measurements(Record<LoopOutcome>& is) {
   is.field("wake_up", times(&Measurements::wake_up), "delay of the wake-ups");
   is.field("response", times(&Measurements::response), "time until outputs are written");
   is.field("step", times(&Measurements::step), "time of a step");
+  is.field("read", times(&Measurements::reading), "time in which the devices were read");
+  is.field("write", times(&Measurements::writing), "time in which the devices were written");
+  is.field("devices", &LoopOutcome::device_lines,
+           "counts of the devices, and outputs that limits have changed");
   is.field("worst", worst_of, "longest times over the run");
   is.field(
       "block_types",

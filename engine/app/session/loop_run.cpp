@@ -13,6 +13,7 @@
 #include "engine/base/io/owned_folder.hpp"
 #include "engine/base/subprocess/process.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/devices/wired_device.hpp"
 #include "engine/simulate/realtime/loop_recorder.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
 #include "engine/simulate/run/code_trial.hpp"
@@ -245,6 +246,24 @@ realtime::Served serve_all(realtime::Loop& loop, const LoopSettings& settings,
   return served;
 }
 
+/// Opens the devices of a loop; nullptr without any.
+std::unique_ptr<devices::LoopRig> rig_of(const LoopCall& call, const plan::Plan& plan,
+                                         const LoopSettings& settings, const Monitor& monitor) {
+  if (call.plant) return std::make_unique<devices::HostedPlant>(*call.plant, plan, 1.0 / settings.rate);
+  if (call.io.empty()) return nullptr;
+  auto rig = std::make_unique<devices::Rig>(call.io, plan, 1.0 / settings.rate,
+                                            std::min(99, settings.policy.fifo.value_or(-1) + 1));
+  if (monitor.diagnostic)
+    for (const std::string& note : rig->notes()) monitor.diagnostic(note);
+  return rig;
+}
+
+void add_devices(devices::LoopRig& rig, LoopOutcome& outcome) {
+  outcome.has_devices = true;
+  outcome.device_fault = rig.trouble();
+  outcome.device_lines = rig.finish();
+}
+
 }  // namespace
 
 void run_loop(const LoopCall& call, const Registry& registry, const Monitor& monitor,
@@ -255,8 +274,8 @@ void run_loop(const LoopCall& call, const Registry& registry, const Monitor& mon
   if (call.baseline) baseline.emplace(settings.rate, settings.policy, settings.cpu);
   std::optional<LoopFolder> folder;
   if (!call.out.empty()) folder.emplace(plan, settings, call.out);
-  realtime::NoDevice device;
-  realtime::SystemClock clock(settings.spin);
+  realtime::NoDevice none;
+  realtime::SystemClock timer(settings.spin);
   const std::optional<plan::CompiledPlan> compiled = code_for(plan, call.engine, monitor);
   const realtime::LoopOptions options{settings.rate,
                                       settings.deadlines,
@@ -264,8 +283,11 @@ void run_loop(const LoopCall& call, const Registry& registry, const Monitor& mon
                                       monitor.interrupt,
                                       compiled ? &*compiled : nullptr,
                                       monitor.observers};
-  realtime::Loop loop(plan, options, device, clock, folder ? &folder->recorder() : nullptr);
+  const std::unique_ptr<devices::LoopRig> rig = rig_of(call, plan, settings, monitor);
+  realtime::Loop loop(plan, options, rig ? rig->device() : none, rig && rig->clock() ? *rig->clock() : timer,
+                      folder ? &folder->recorder() : nullptr);
   LoopOutcome outcome{loop, settings, serve_all(loop, settings, baseline, monitor), {}, std::move(baseline)};
+  if (rig) add_devices(*rig, outcome);
   if (folder) outcome.rows = folder->finish();
   subprocess::processes_stop() = false;  // allows the picture of an interrupted loop to be drawn
   report(outcome);
@@ -280,6 +302,8 @@ std::string end_word(realtime::Loop::End end) {
       return "interrupted";
     case realtime::Loop::End::fault:
       return "ended by the diagram";
+    case realtime::Loop::End::device:
+      return "ended by a device";
     case realtime::Loop::End::done:
       break;
   }

@@ -3,11 +3,13 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/app/session/loaded_model.hpp"
 #include "engine/app/session/loop_settings.hpp"
 #include "engine/app/session/monitor.hpp"
 #include "engine/base/result/record.hpp"
+#include "engine/simulate/devices/hosted_plant.hpp"
 #include "engine/simulate/realtime/cyclictest.hpp"
 #include "engine/simulate/realtime/loop.hpp"
 #include "engine/simulate/realtime/serve.hpp"
@@ -32,6 +34,9 @@ struct LoopOutcome {
   realtime::Served served;
   std::optional<LoopRows> rows;  ///< std::nullopt if no rows were recorded
   std::optional<realtime::Cyclictest> baseline;
+  bool has_devices = false;                 ///< true with a rig
+  std::string device_fault{};               ///< why the devices ended the loop; empty if they did not
+  std::vector<std::string> device_lines{};  ///< counts of the devices, outputs that limits have changed
 };
 
 /// Declares the fields of loop.json.
@@ -42,7 +47,9 @@ struct LoopCall {
   std::string file;
   LoadOptions load;
   LoopWords words;
-  std::string out;  ///< folder; empty: nothing is recorded
+  std::string io;                             ///< rig file; empty: no devices
+  std::optional<devices::PlantCall> plant{};  ///< offers the diagram as a plant, in place of a rig file
+  std::string out;                            ///< folder; empty: nothing is recorded
   bool baseline = false;
   run::ExecutionMode engine = run::ExecutionMode::interpreted;
 };

@@ -13,9 +13,12 @@ class Device {
   /// Fills the inputs before the first tick of a wake-up. Inputs that are not written keep their values, at
   /// first the defaults of the file.
   virtual void read(double* inputs) noexcept = 0;
-  /// Receives the outputs after that tick is computed, and once more, with the safe values, when the loop
-  /// ends. An output without a safe value keeps its last one.
+  /// Receives the outputs after that tick is computed.
   virtual void write(const double* outputs) noexcept = 0;
+  /// Receives the safe values when the loop ends or pauses. An output without a safe value has its last one.
+  virtual void rest(const double* outputs) noexcept { write(outputs); }
+  /// False once the device is not to be used any more. The loop ends then, before it evaluates the tick.
+  virtual bool healthy() const noexcept { return true; }
 };
 
 /// Device without hardware: inputs keep their defaults, and outputs are discarded.

@@ -110,8 +110,7 @@ void Loop::step(std::int64_t woke) {
   const double wall = static_cast<double>(woke - *began_) * 1e-9;
   measurements_.woke(k, woke - deadlines_.at(k));
   if (options_.values) simulation_ = &options_.values->at_tick();
-  read_inputs();
-  if (!may_tick()) return;
+  if (!read_inputs(woke) || !may_tick()) return;
   groups_.before_tick(*simulation_);
   simulation_->evaluate();
   if (simulation_->healthy()) {
@@ -121,7 +120,10 @@ void Loop::step(std::int64_t woke) {
   } else if (recorder_) {
     recorder_->record_inputs(simulation_->tick(), inputs_.data());  // they may cause the fault
   }
-  if (!simulation_->healthy()) end_ = End::fault;
+  if (!simulation_->healthy())
+    end_ = End::fault;
+  else
+    is_healthy();
   measurements_.stepped(k, clock_.now() - woke);
 }
 
@@ -140,15 +142,25 @@ void Loop::go_on(double wall) {
   }
 }
 
-void Loop::read_inputs() {
+bool Loop::is_healthy() {
+  if (!device_.healthy()) end_ = End::device;
+  return device_.healthy();
+}
+
+bool Loop::read_inputs(std::int64_t began) {
   device_.read(inputs_.data());
+  measurements_.read(clock_.now() - began);
+  if (!is_healthy()) return false;
   for (std::size_t i = 0; i < input_offsets_.size(); ++i)
     simulation_->write_input(i, inputs_.data() + input_offsets_[i]);
+  return true;
 }
 
 void Loop::write_outputs() {
   for (std::size_t i = 0; i < outputs_.size(); ++i) outputs_[i] = simulation_->values()[output_offsets_[i]];
+  const std::int64_t began = clock_.now();
   device_.write(outputs_.data());
+  measurements_.wrote_device(clock_.now() - began);
 }
 
 /// Counts the outputs for deadline k and for the dropped deadlines before it, which have waited for them too.
@@ -175,7 +187,7 @@ void Loop::record(double wall) {
 /// Writes the safe values. The deadlines that still wait for outputs count as served with these.
 void Loop::write_safe_values() {
   for (std::size_t i = 0; i < outputs_.size(); ++i) outputs_[i] = safe_[i].value_or(outputs_[i]);
-  device_.write(outputs_.data());
+  device_.rest(outputs_.data());
   const std::int64_t written = clock_.now();
   for (; unwritten_ < measurements_.wake_up().count(); ++unwritten_)
     measurements_.wrote(unwritten_, written - deadlines_.at(unwritten_));

@@ -51,8 +51,8 @@ void require_fit_for_loop(const plan::Plan& plan);
 /// may then be a deadline ahead of another.
 class Loop {
  public:
-  /// `stopped` is the end by missed deadlines or by an observer.
-  enum class End { done, stopped, interrupted, fault };
+  /// `stopped` is the end by missed deadlines or by an observer; `device` is that by an unhealthy device.
+  enum class End { done, stopped, interrupted, fault, device };
 
   /// Allocates all memory, and runs some ticks and returns to time 0, so that no later tick is slow for the
   /// first time. `recorder` may be nullptr. Plan, device, clock and recorder must outlive the loop.
@@ -83,7 +83,8 @@ class Loop {
   void drop_missed(std::int64_t now, std::int64_t end);
   void step(std::int64_t woke);
   void go_on(double wall);
-  void read_inputs();
+  bool read_inputs(std::int64_t began);
+  bool is_healthy();
   void write_outputs();
   void count_written(std::int64_t k);
   bool may_tick();

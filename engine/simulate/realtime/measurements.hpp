@@ -88,6 +88,12 @@ class Measurements {
     raise(worst(k).step, cost);
   }
 
+  /// Add the time that a device took to read, and to write.
+  void read(std::int64_t time) { reading_.add(time); }
+  void wrote_device(std::int64_t time) { writing_.add(time); }
+
+  const Histogram& reading() const { return reading_; }
+  const Histogram& writing() const { return writing_; }
   const Histogram& wake_up() const { return wake_up_; }
   const Histogram& response() const { return response_; }
   const Histogram& step() const { return step_; }
@@ -107,7 +113,7 @@ class Measurements {
   static void raise(std::int64_t& largest, std::int64_t value) { largest = std::max(largest, value); }
 
   std::int64_t deadlines_;
-  Histogram wake_up_, response_, step_;
+  Histogram wake_up_, response_, step_, reading_, writing_;
   std::vector<Worst> worst_;
 };
 

@@ -1,0 +1,98 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "engine/app/cli/console.hpp"
+#include "engine/app/cli/interrupt.hpp"
+#include "engine/app/cli/verb.hpp"
+#include "engine/base/text/characters.hpp"
+#include "engine/base/yaml/error.hpp"
+#include "engine/simulate/devices/wired_device.hpp"
+
+namespace stepwire::cli {
+namespace {
+
+constexpr double period = 0.01;    // [s]
+constexpr int steps_of_line = 20;  // between two printed lines
+constexpr double most_duration = 3600.0;
+
+struct IoCall {
+  std::string file, set;
+  double duration = 5.0;
+};
+
+/// Returns the outputs with the one that is set; the others have their safe values.
+std::vector<double> wanted_outputs(const IoCall& call, const devices::Ports& ports) {
+  std::vector<double> outputs;
+  for (const devices::Port& port : ports.outputs) outputs.push_back(port.safe.value_or(0.0));
+  if (call.set.empty()) return outputs;
+  const auto equals = call.set.find('=');
+  const auto name = call.set.substr(0, equals);
+  const auto quantity =
+      equals == std::string::npos ? std::nullopt : unit::parse_quantity(call.set.substr(equals + 1));
+  const auto found = std::ranges::find(ports.outputs, name, &devices::Port::name);
+  if (!quantity || found == ports.outputs.end())
+    throw yaml::Error(yaml::Fault{{"--set " + call.set, {}},
+                                  "",
+                                  "must be an output of the rig with a value, such as current=0.05A",
+                                  {}});
+  outputs[static_cast<std::size_t>(found - ports.outputs.begin())] = quantity->value;
+  return outputs;
+}
+
+void show(const devices::Ports& ports, const std::vector<double>& inputs) {
+  std::string line;
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    line += fmt::format("  {} {:.6g}", ports.inputs[i].name, inputs[i]);
+  say("{}\n", text::visible(line));
+}
+
+void step_all(const IoCall& call, devices::Rig& rig, const devices::Ports& ports) {
+  std::vector<double> inputs(ports.inputs.size());
+  const std::vector<double> outputs = wanted_outputs(call, ports);
+  const int steps = static_cast<int>(std::min(call.duration, most_duration) / period);
+  auto next = std::chrono::steady_clock::now();
+  for (int i = 0; i < steps && rig.device().healthy() && !interrupted(); ++i) {
+    rig.device().read(inputs.data());
+    if (!call.set.empty()) rig.device().write(outputs.data());
+    if (i % steps_of_line == 0) show(ports, inputs);
+    std::this_thread::sleep_until(
+        next += std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(period)));
+  }
+  rig.device().rest(outputs.data());
+}
+
+ExitCode watch_inputs(const IoCall& call) {
+  const EndDelay delay(EndDelay::Signals::all);
+  devices::IoRequest request = devices::read_io(call.file);
+  if (!request.late) request.late = 10.0 * period;  // people need no deadlines
+  const devices::Ports ports = devices::Ports::of(request);
+  wanted_outputs(call, ports);
+  devices::Rig rig(request, ports, period);
+  step_all(call, rig, ports);
+  const std::string trouble = rig.trouble();
+  for (const std::string& line : rig.finish()) say("  {}\n", text::visible(line));
+  if (!trouble.empty()) complain("{}\n", text::visible(trouble));
+  return trouble.empty() ? ExitCode::done : ExitCode::surroundings;
+}
+
+Action declare_io(CLI::App& verb) {
+  const auto call = std::make_shared<IoCall>();
+  verb.add_option("RIG", call->file, "a file of devices and wires, as of loop --io")->required();
+  verb.add_option("--set", call->set, "moves one output within its limits and its rate: current=0.05A");
+  verb.add_option("--duration", call->duration, "for how long [s]")->capture_default_str();
+  return [call](const Registry&) { return watch_inputs(*call); };
+}
+
+}  // namespace
+
+Verb io_verb() {
+  return {"io", "show the inputs of a rig live, in SI, and move one output, for wiring",
+          "Example:\n  stepwire io rig.yaml --set current=0.05A --duration 2\n"
+          "All other outputs have their safe values, and this one at the end.",
+          declare_io};
+}
+
+}  // namespace stepwire::cli

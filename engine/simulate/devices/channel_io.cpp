@@ -1,0 +1,78 @@
+#include "engine/simulate/devices/channel_io.hpp"
+
+#include <cstdio>
+#include <sstream>
+#include <utility>
+
+namespace stepwire::devices {
+
+DirectIo::DirectIo(const Wiring& wiring, guard::Bank& bank) : bank_(bank), watch_(wiring.limits) {
+  for (std::size_t i = 0; i < bank.devices(); ++i) bank.hold_stale(i, wiring.holds_stale[i]);
+  bank_.start(wiring.limits.period, watch_.safe());
+  bank_.safe();
+}
+
+DirectIo::~DirectIo() {
+  bank_.safe();
+  bank_.stop();
+}
+
+bool DirectIo::accept(int result) noexcept {
+  if (result == STEPWIRE_STALE || result == STEPWIRE_ENDED) watch_.trip(guard::Watch::Cause::stale);
+  if (result == STEPWIRE_FAILED) watch_.trip(guard::Watch::Cause::device);
+  return !watch_.tripped();
+}
+
+bool DirectIo::read(double* inputs) noexcept {
+  if (!accept(bank_.read(inputs))) return false;
+  watch_.sensed(guard::monotonic(), inputs);
+  return !watch_.tripped();
+}
+
+bool DirectIo::write(const double* outputs) noexcept {
+  watch_.commanded(guard::monotonic(), outputs);
+  return accept(bank_.write(watch_.outputs()));
+}
+
+void DirectIo::rest() noexcept {
+  watch_.rest();
+  bank_.safe();
+}
+
+std::vector<std::string> DirectIo::finish() {
+  bank_.safe();
+  bank_.stop();
+  return bank_.reports();
+}
+
+GuardedIo::GuardedIo(const Wiring& wiring, int priority)
+    : wiring_(wiring), guard_({wiring.devices, wiring.holds_stale, wiring.limits, priority}) {}
+
+bool GuardedIo::read(double* inputs) noexcept {
+  if (guard_.inputs(inputs)) return true;
+  if (guard_.is_gone() && !std::exchange(rescued_, true)) set_safe();
+  return false;
+}
+
+/// Opens the devices of a guard that is gone, and sets their outputs to the safe values. It allocates, but
+/// the loop has ended.
+void GuardedIo::set_safe() noexcept {
+  try {
+    guard::Bank bank(wiring_.devices);
+    bank.start(wiring_.limits.period, guard::Watch(wiring_.limits).safe());
+    bank.safe();
+    bank.stop();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "the outputs are not at their safe values, because the guard is gone and %s\n",
+                 error.what());
+  }
+}
+
+std::vector<std::string> GuardedIo::finish() {
+  std::vector<std::string> lines;
+  std::istringstream reports(guard_.finish());
+  for (std::string line; std::getline(reports, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace stepwire::devices

@@ -1,0 +1,107 @@
+#include "engine/simulate/devices/wired_device.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stepwire::devices {
+
+WiredDevice::WiredDevice(const Wiring& wiring, ChannelIo& io)
+    : io_(io),
+      inputs_(wiring.inputs),
+      sensed_(wiring.limits.inputs.size(), 0.0),
+      filtered_(wiring.inputs.size(), 0.0) {
+  for (const guard::OutputLimits& one : wiring.limits.outputs) safe_.push_back(one.safe);
+  commanded_ = safe_;
+  for (const OutputWire& wire : wiring.outputs) outputs_.push_back({wire});
+  forget();
+}
+
+/// The next command begins at the safe values, where the devices are.
+void WiredDevice::forget() noexcept {
+  for (Output& one : outputs_) one.last = (safe_[one.wire.channel] - one.wire.offset) / one.wire.scale;
+}
+
+void WiredDevice::read(double* inputs) noexcept {
+  healthy_ = io_.read(sensed_.data()) && healthy_;
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    const InputWire& wire = inputs_[i];
+    const double value = wire.scale * sensed_[wire.channel] + wire.offset;
+    filtered_[i] = begun_ ? filtered_[i] + wire.filter * (value - filtered_[i]) : value;
+    inputs[wire.port] = wire.filter < 1.0 ? filtered_[i] : value;
+  }
+  begun_ = true;
+}
+
+double WiredDevice::within(Output& output, double wanted) const noexcept {
+  if (!std::isfinite(wanted)) return wanted;  // which the watch refuses
+  const OutputWire& wire = output.wire;
+  const double limited = std::clamp(wanted, wire.least, wire.most);
+  output.at_limit += limited != wanted ? 1 : 0;
+  if (!std::isfinite(wire.step)) return limited;
+  const double slow = std::clamp(limited, output.last - wire.step, output.last + wire.step);
+  output.at_rate += slow != limited ? 1 : 0;
+  return slow;
+}
+
+void WiredDevice::write(const double* outputs) noexcept {
+  for (Output& one : outputs_) {
+    one.last = within(one, outputs[one.wire.port]);
+    commanded_[one.wire.channel] = one.wire.scale * one.last + one.wire.offset;
+  }
+  ++steps_;
+  healthy_ = io_.write(commanded_.data()) && healthy_;
+}
+
+void WiredDevice::rest(const double*) noexcept {
+  io_.rest();
+  forget();
+}
+
+std::vector<std::string> WiredDevice::limited() const {
+  std::vector<std::string> lines;
+  for (const Output& one : outputs_)
+    if (one.at_limit > 0 || one.at_rate > 0)
+      lines.push_back(fmt::format("output {} was held at its limits in {} and at its rate in {} of {} steps",
+                                  one.wire.name, one.at_limit, one.at_rate, steps_));
+  return lines;
+}
+
+/// Waits for the next sample. Samples that have passed before make the loop late by their number of periods.
+/// A device without samples lets the loop go on, where reading it fails.
+void DeviceClock::sleep_until(std::int64_t deadline) {
+  constexpr std::int64_t limit = 1'000'000'000;
+  const int samples = device_.wait(std::max(limit, 2 * period_));
+  ahead_ = deadline - clock_.now() + std::max(0, samples - 1) * period_;
+}
+
+namespace {
+
+std::unique_ptr<guard::Bank> opened(const IoRequest& request) {
+  return std::make_unique<guard::Bank>(device_settings(request));
+}
+
+}  // namespace
+
+Rig::Rig(const IoRequest& request, const Ports& ports, double period, int priority) {
+  bank_ = opened(request);
+  wiring_ = wire(request, ports, *bank_, period);
+  if (wiring_.guarded) {
+    bank_.reset();  // the guard opens them
+    io_ = std::make_unique<GuardedIo>(wiring_, priority);
+  } else {
+    io_ = std::make_unique<DirectIo>(wiring_, *bank_);
+  }
+  device_ = std::make_unique<WiredDevice>(wiring_, *io_);
+  if (wiring_.clock)
+    clock_ = std::make_unique<DeviceClock>(bank_->device(*wiring_.clock), wiring_.limits.period);
+}
+
+std::vector<std::string> Rig::finish() {
+  std::vector<std::string> lines = io_->finish();
+  for (std::string& line : device_->limited()) lines.push_back(std::move(line));
+  return lines;
+}
+
+}  // namespace stepwire::devices

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/simulate/devices/channel_io.hpp"
+#include "engine/simulate/devices/loop_rig.hpp"
+#include "engine/simulate/realtime/device.hpp"
+#include "engine/simulate/realtime/loop_clock.hpp"
+
+namespace stepwire::devices {
+
+/// Ports of a diagram behind a rig: conversion, filters, limits and rates of change.
+class WiredDevice : public realtime::Device {
+ public:
+  WiredDevice(const Wiring& wiring, ChannelIo& io);
+
+  void read(double* inputs) noexcept override;
+  void write(const double* outputs) noexcept override;
+  void rest(const double* outputs) noexcept override;
+  bool healthy() const noexcept override { return healthy_; }
+
+  /// Returns a line for each output that its limits or its rate have changed.
+  std::vector<std::string> limited() const;
+
+ private:
+  struct Output {
+    OutputWire wire;
+    double last = 0.0;  ///< SI
+    std::int64_t at_limit = 0, at_rate = 0;
+  };
+
+  double within(Output& output, double wanted) const noexcept;
+  void forget() noexcept;
+
+  ChannelIo& io_;
+  std::vector<InputWire> inputs_;
+  std::vector<Output> outputs_;
+  std::vector<double> safe_, sensed_, commanded_, filtered_;
+  std::int64_t steps_ = 0;
+  bool healthy_ = true, begun_ = false;
+};
+
+/// Clock of a loop whose deadlines are the samples of a device.
+class DeviceClock : public realtime::LoopClock {
+ public:
+  DeviceClock(driver::OpenDevice& device, std::int64_t period) : device_(device), period_(period) {}
+
+  std::int64_t now() override { return clock_.now() + ahead_; }
+  void sleep_until(std::int64_t deadline) override;
+
+ private:
+  driver::OpenDevice& device_;
+  std::int64_t period_;
+  realtime::SystemClock clock_;
+  std::int64_t ahead_ = 0;  ///< of the system's clock
+};
+
+/// Opened and checked rig of a loop.
+class Rig : public LoopRig {
+ public:
+  /// Opens the devices of a rig file and checks it against the diagram; then starts them. Throws Error and
+  /// EnvironmentError. `period` is that of the loop [s]; `priority` is that of a guard, see GuardedIo.
+  Rig(const std::string& file, const plan::Plan& plan, double period, int priority = 0)
+      : Rig(read_io(file), Ports::of(plan), period, priority) {}
+  Rig(const IoRequest& request, const Ports& ports, double period, int priority = 0);
+
+  realtime::Device& device() override { return *device_; }
+  realtime::LoopClock* clock() override { return clock_.get(); }
+  std::vector<std::string> notes() const override { return wiring_.notes; }
+  std::string trouble() const override { return io_->trouble(); }
+  std::vector<std::string> finish() override;
+
+ private:
+  std::unique_ptr<guard::Bank> bank_;
+  Wiring wiring_;
+  std::unique_ptr<ChannelIo> io_;
+  std::unique_ptr<WiredDevice> device_;
+  std::unique_ptr<DeviceClock> clock_;
+};
+
+}  // namespace stepwire::devices

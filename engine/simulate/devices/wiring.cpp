@@ -1,0 +1,373 @@
+#include "engine/simulate/devices/wiring.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "engine/base/io/environment_error.hpp"
+
+namespace stepwire::devices {
+
+namespace {
+
+using unit::Dimension;
+
+std::int64_t nanoseconds(double seconds) {
+  return std::llround(seconds * 1e9);
+}
+
+template <class All>
+std::vector<std::string> names_in(const All& all) {
+  std::vector<std::string> names;
+  for (const auto& one : all) names.emplace_back(one.name);
+  return names;
+}
+
+/// Channel of a device, with its place among those of all devices.
+struct Place {
+  const stepwire_channel* channel = nullptr;
+  std::size_t device = 0, index = 0;
+};
+
+/// Affine map from a channel to a port, or back: to = scale * from + offset.
+struct Line {
+  double scale = 1.0, offset = 0.0;
+};
+
+/// Connects the ports one by one, and collects all faults.
+class Wirer {
+ public:
+  Wirer(const IoRequest& request, const Ports& ports, guard::Bank& bank, double period)
+      : request_(request), bank_(bank), period_(period), in_(ports.inputs), out_(ports.outputs) {}
+
+  Wiring wiring() {
+    all_.devices = device_settings(request_);
+    prepare_limits();
+    for (const InputRequest& one : request_.inputs) add_input(one);
+    for (const OutputRequest& one : request_.outputs) add_output(one);
+    if (request_.dead_man) add_dead_man(*request_.dead_man);
+    for (const EnergyRequest& one : request_.energies) add_energy(one);
+    find_clock();
+    choose_guard();
+    note_unwired();
+    faults_.throw_if_any();
+    return std::move(all_);
+  }
+
+ private:
+  void fault(const yaml::Mark& mark, const std::string& subject, const yaml::Message& message) {
+    faults_.add({{request_.file, mark}, subject, message, {}});
+  }
+
+  /// Sets the limits of all channels to those of the devices. An output that is not wired keeps its safe
+  /// value.
+  void prepare_limits() {
+    all_.limits.period = nanoseconds(period_);
+    all_.limits.late = nanoseconds(request_.late.value_or(2.0 * period_));
+    all_.limits.ramp = nanoseconds(request_.ramp);
+    all_.holds_stale.assign(bank_.devices(), true);
+    for (std::size_t i = 0; i < bank_.devices(); ++i) {
+      for (const stepwire_channel& one : bank_.device(i).inputs())
+        all_.limits.inputs.push_back({channel_name(i, one)});
+      for (const stepwire_channel& one : bank_.device(i).outputs()) {
+        const double rest = std::clamp(0.0, one.least, one.most);
+        all_.limits.outputs.push_back({channel_name(i, one), rest, rest, rest});
+      }
+    }
+  }
+  std::string channel_name(std::size_t device, const stepwire_channel& channel) const {
+    return request_.devices[device].name + "." + channel.name;
+  }
+
+  std::optional<std::size_t> device_of(const std::string& name, const yaml::Mark& mark,
+                                       const std::string& subject) {
+    const auto found = std::ranges::find(request_.devices, name, &DeviceRequest::name);
+    if (found != request_.devices.end()) return static_cast<std::size_t>(found - request_.devices.begin());
+    fault(mark, subject,
+          fmt::format("there is no device '{}'", name) +
+              yaml::nearest_or_all(name, names_in(request_.devices), "devices are"));
+    return std::nullopt;
+  }
+
+  std::optional<Place> place_of(const std::string& device, const std::string& channel, int direction,
+                                const yaml::Mark& mark, const std::string& subject) {
+    const auto index = device_of(device, mark, subject);
+    if (!index) return std::nullopt;
+    const bool is_input = direction == STEPWIRE_INPUT;
+    const auto& table = is_input ? bank_.device(*index).inputs() : bank_.device(*index).outputs();
+    const std::size_t first = is_input ? bank_.first_input(*index) : bank_.first_output(*index);
+    for (std::size_t k = 0; k < table.size(); ++k)
+      if (channel == table[k].name) return Place{&table[k], *index, first + k};
+    fault(mark, subject,
+          fmt::format("the device '{}' has no {} '{}'", device, is_input ? "input" : "output", channel) +
+              yaml::nearest_or_all(channel, names_in(table), "channels are"));
+    return std::nullopt;
+  }
+
+  template <class Request>
+  std::optional<std::size_t> port_of(const Request& request, const std::vector<Port>& ports,
+                                     const char* kind) {
+    const auto found = std::ranges::find(ports, request.port, &Port::name);
+    if (found != ports.end()) return static_cast<std::size_t>(found - ports.begin());
+    fault(request.mark, request.port,
+          fmt::format("the diagram has no {} '{}'", kind, request.port) +
+              yaml::nearest_or_all(request.port, names_in(ports), fmt::format("{}s are", kind)));
+    return std::nullopt;
+  }
+
+  std::optional<unit::Unit> unit_of(const std::string& own, const stepwire_channel& channel,
+                                    const yaml::Mark& mark, const std::string& subject) {
+    const std::string text = own.empty() ? channel.unit : own;
+    const auto parsed = unit::parse_unit(text);
+    if (!parsed) fault(mark, subject, yaml::fault_text("'{}' is no unit", text));
+    return parsed;
+  }
+
+  /// Returns a number in SI. `wanted` is its dimension; a bare number other than 0 needs one of 1.
+  double si(const std::optional<PlacedNumber>& number, double otherwise,
+            const std::optional<Dimension>& wanted, const std::string& subject) {
+    if (!number) return otherwise;
+    const Dimension given = number->quantity.dimension.value_or(Dimension{});
+    const bool is_zero = number->quantity.value == 0.0 && !number->quantity.dimension;
+    if (wanted && !is_zero && !(given == *wanted))
+      fault(number->mark, subject,
+            yaml::fault_text("has the unit {}; it must be in {}", unit::si_name(given),
+                             unit::si_name(*wanted)));
+    return number->quantity.value;
+  }
+
+  /// Checks that the scale leads from one dimension to the other. A port of unknown dimension takes any.
+  double scale_of(const std::optional<PlacedNumber>& scale, const std::optional<Dimension>& to,
+                  const Dimension& from, const yaml::Mark& mark, const std::string& subject) {
+    if (scale && scale->quantity.value == 0.0) fault(scale->mark, subject, "is 0, which no value passes");
+    if (scale && to) return si(scale, 1.0, *to / from, subject);
+    if (!scale && to && !(*to == from))
+      fault(mark, subject,
+            yaml::fault_text("is in {}, and its channel in {}; 'scale' leads from one to the other, in {}",
+                             unit::si_name(*to), unit::si_name(from), unit::si_name(*to / from)));
+    return scale ? scale->quantity.value : 1.0;
+  }
+
+  void add_input(const InputRequest& one) {
+    const std::string subject = "inputs." + one.port;
+    const auto port = port_of(one, in_, "input");
+    const auto place = place_of(one.device, one.channel, STEPWIRE_INPUT, one.mark, subject);
+    if (!port || !place) return;
+    const auto unit = unit_of(one.unit, *place->channel, one.mark, subject);
+    if (!unit) return;
+    const auto& dimension = in_[*port].dimension;
+    const double sign = one.direction == Direction::reverse ? -1.0 : 1.0;
+    const double scale = sign * scale_of(one.scale, dimension, unit->dimension, one.mark, subject);
+    const Line line{
+        scale * static_cast<double>(unit->scale),
+        scale * static_cast<double>(unit->offset) + si(one.offset, 0.0, dimension, subject + ".offset")};
+    const double filter =
+        one.filter > 0.0 ? 1.0 - std::exp(-2.0 * std::numbers::pi * one.filter * period_) : 1.0;
+    all_.inputs.push_back({*port, place->index, line.scale, line.offset, filter});
+    if (one.stale == Stale::stop) all_.holds_stale[place->device] = false;
+    limit_input(one, line, dimension, all_.limits.inputs[place->index]);
+  }
+
+  void limit_input(const InputRequest& one, const Line& line, const std::optional<Dimension>& dimension,
+                   guard::InputLimits& limits) {
+    const std::string subject = "inputs." + one.port;
+    if (one.range) set_range(*one.range, line, dimension, subject + ".range", limits.least, limits.most);
+    limits.rate = rate_of(one.rate, dimension, subject) / std::abs(line.scale);
+    limits.stuck = nanoseconds(one.stuck);
+  }
+
+  /// Sets the limits of a channel from a range of its port.
+  void set_range(const PlacedRange& range, const Line& line, const std::optional<Dimension>& dimension,
+                 const std::string& subject, double& least, double& most) {
+    const double low = si(range.least, 0.0, dimension, subject),
+                 high = si(range.most, 0.0, dimension, subject);
+    if (!(low < high)) fault(range.least.mark, subject, "does not rise; the least value is the first");
+    const double a = (low - line.offset) / line.scale, b = (high - line.offset) / line.scale;
+    least = std::min(a, b);
+    most = std::max(a, b);
+  }
+
+  double rate_of(const std::optional<PlacedNumber>& rate, const std::optional<Dimension>& dimension,
+                 const std::string& subject) {
+    if (!rate) return guard::no_limit;
+    std::optional<Dimension> wanted;
+    if (dimension) wanted = *dimension / unit::parse_unit("s")->dimension;
+    const double value = si(rate, 0.0, wanted, subject + ".rate");
+    if (!(value > 0.0)) fault(rate->mark, subject + ".rate", "must be above 0");
+    return value;
+  }
+
+  void add_output(const OutputRequest& one) {
+    const std::string subject = "outputs." + one.port;
+    const auto port = port_of(one, out_, "output");
+    const auto place = place_of(one.device, one.channel, STEPWIRE_OUTPUT, one.mark, subject);
+    if (!port || !place || !one.limits) return;
+    const auto unit = unit_of(one.unit, *place->channel, one.mark, subject);
+    if (!unit) return;
+    if (!taken_.insert(place->index).second)
+      fault(one.mark, subject, yaml::fault_text("the channel '{}' has another output already", one.channel));
+    const auto& dimension = out_[*port].dimension;
+    std::optional<Dimension> wanted;
+    if (dimension) wanted = unit->dimension / *dimension;
+    if (one.scale) si(one.scale, 1.0, wanted, subject + ".scale");
+    const double scale =
+        one.scale ? one.scale->quantity.value : scale_of({}, dimension, unit->dimension, one.mark, subject);
+    if (scale == 0.0) return fault(one.scale->mark, subject, "is 0, which no value passes");
+    const double sign = one.direction == Direction::reverse ? -1.0 : 1.0,
+                 of_unit = static_cast<double>(unit->scale);
+    const Line line{sign * scale / of_unit, (si(one.offset, 0.0, unit->dimension, subject + ".offset") -
+                                             static_cast<double>(unit->offset)) /
+                                                of_unit};
+    limit_output(one, *port, *place, line);
+  }
+
+  void limit_output(const OutputRequest& one, std::size_t port, const Place& place, const Line& line) {
+    const std::string subject = "outputs." + one.port;
+    const auto& dimension = out_[port].dimension;
+    guard::OutputLimits& limits = all_.limits.outputs[place.index];
+    const Line back{1.0 / line.scale, -line.offset / line.scale};  // from the channel to the port
+    set_range(*one.limits, back, dimension, subject + ".limits", limits.least, limits.most);
+    const double low = one.limits->least.quantity.value, high = one.limits->most.quantity.value;
+    const double rate = rate_of(one.rate, dimension, subject);
+    if (!one.safe && !out_[port].safe)
+      fault(one.mark, subject, "has no safe value, neither here nor in the diagram; safe: 0");
+    const double safe = si(one.safe, out_[port].safe.value_or(0.0), dimension, subject + ".safe");
+    if (safe < low || safe > high)
+      fault(one.safe ? one.safe->mark : one.mark, subject, "has a safe value out of its limits");
+    limits.safe = line.scale * safe + line.offset;
+    limits.rate = rate * std::abs(line.scale);
+    const stepwire_channel& channel = *place.channel;
+    if (limits.least < channel.least || limits.most > channel.most)
+      fault(one.limits->least.mark, subject + ".limits",
+            yaml::fault_text("lead to {:.6g} to {:.6g} {}; the channel takes {:.6g} to {:.6g}", limits.least,
+                             limits.most, channel.unit, channel.least, channel.most));
+    all_.outputs.push_back({one.port, port, place.index, line.scale, line.offset, low, high, rate * period_});
+  }
+
+  void add_dead_man(const DeadManRequest& one) {
+    const auto place = place_of(one.device, one.channel, STEPWIRE_INPUT, one.mark, "dead_man");
+    if (!place) return;
+    all_.limits.dead_man = guard::DeadMan{place->index, one.above};
+    all_.holds_stale[place->device] = false;
+  }
+
+  void add_energy(const EnergyRequest& one) {
+    const bool is_position = one.speed.empty();
+    const auto force = wired(one.force, one), motion = wired(is_position ? one.position : one.speed, one);
+    if (force && motion) all_.limits.powers.push_back({one.name, *force, *motion, is_position, one.most});
+  }
+  std::optional<guard::ScaledInput> wired(const std::string& port, const EnergyRequest& one) {
+    for (const InputWire& wire : all_.inputs)
+      if (in_[wire.port].name == port) return guard::ScaledInput{wire.channel, wire.scale, wire.offset};
+    fault(one.mark, "energy." + one.name, yaml::fault_text("'{}' is no wired input", port));
+    return std::nullopt;
+  }
+
+  void find_clock() {
+    if (request_.clock.empty()) return;
+    all_.clock = device_of(request_.clock, request_.clock_mark, "clock");
+    if (all_.clock && !bank_.device(*all_.clock).is_clock())
+      fault(request_.clock_mark, "clock",
+            yaml::fault_text("the driver of '{}' has no clock; leave 'clock' out", request_.clock));
+  }
+
+  void choose_guard() {
+    all_.guarded = request_.guard.value_or(!all_.outputs.empty() && !all_.clock);
+    if (all_.guarded && all_.clock)
+      fault(request_.clock_mark, "clock",
+            "a guard has the devices, and none of them can be the clock; guard: false");
+    if (request_.late && *request_.late < period_)
+      fault({}, "late", fmt::format("is less than the period of the loop, {:.6g} s", period_));
+  }
+
+  void note_unwired() {
+    for (std::size_t i = 0; i < in_.size(); ++i)
+      if (std::ranges::find(all_.inputs, i, &InputWire::port) == all_.inputs.end())
+        all_.notes.push_back(fmt::format("input {} is not wired and keeps its default", in_[i].name));
+    for (std::size_t i = 0; i < out_.size(); ++i)
+      if (std::ranges::find(all_.outputs, i, &OutputWire::port) == all_.outputs.end())
+        all_.notes.push_back(fmt::format("output {} is not wired", out_[i].name));
+    std::set<std::size_t> ports;
+    for (const InputRequest& one : request_.inputs)
+      for (std::size_t i = 0; i < in_.size(); ++i)
+        if (in_[i].name == one.port && !ports.insert(i).second) fault(one.mark, one.port, "is wired twice");
+  }
+
+  const IoRequest& request_;
+  guard::Bank& bank_;
+  double period_;
+  std::vector<Port> in_, out_;
+  std::set<std::size_t> taken_;
+  yaml::Faults faults_;
+  Wiring all_;
+};
+
+/// Loads the driver of a device and notes its file; nullptr after a fault.
+const stepwire_driver* known_driver(const IoRequest& request, const DeviceRequest& device, std::string& file,
+                                    yaml::Faults& faults) {
+  try {
+    file = driver::driver_file(device.driver);
+    return &driver::load_driver(file);
+  } catch (const io::EnvironmentError& error) {
+    faults.add({{request.file, device.mark}, "devices." + device.name, std::string(error.what()), {}});
+    return nullptr;
+  }
+}
+
+/// Checks the settings of a device against those that its driver knows.
+void check_settings(const IoRequest& request, const DeviceRequest& device, const stepwire_driver& driver,
+                    yaml::Faults& faults) {
+  std::vector<std::string> known;
+  for (const stepwire_known_setting* one = driver.settings; one->key; ++one) {
+    known.emplace_back(one->key);
+    const bool is_given =
+        std::ranges::find(device.settings, one->key, &DeviceRequest::Setting::key) != device.settings.end();
+    if (!one->otherwise && !is_given)
+      faults.add({{request.file, device.mark},
+                  "devices." + device.name,
+                  fmt::format("the driver {} needs the setting '{}' ({})", driver.name, one->key, one->doc),
+                  {}});
+  }
+  for (const DeviceRequest::Setting& one : device.settings)
+    if (std::ranges::find(known, one.key) == known.end())
+      faults.add({{request.file, one.mark},
+                  "devices." + device.name,
+                  yaml::unknown_key(one.key, known, fmt::format("the driver {}", driver.name)),
+                  {}});
+}
+
+}  // namespace
+
+std::vector<guard::DeviceSettings> device_settings(const IoRequest& request) {
+  std::vector<guard::DeviceSettings> all;
+  yaml::Faults faults;
+  for (const DeviceRequest& device : request.devices) {
+    guard::DeviceSettings& one = all.emplace_back(guard::DeviceSettings{device.name, device.driver, {}, {}});
+    for (const DeviceRequest::Setting& setting : device.settings)
+      one.settings.emplace_back(setting.key, setting.value);
+    if (const stepwire_driver* const driver = known_driver(request, device, one.file, faults))
+      check_settings(request, device, *driver, faults);
+  }
+  faults.throw_if_any();
+  return all;
+}
+
+Ports Ports::of(const plan::Plan& plan) {
+  return {input_ports(plan), output_ports(plan)};
+}
+
+Ports Ports::of(const IoRequest& request) {
+  Ports ports;
+  for (const InputRequest& one : request.inputs) ports.inputs.push_back({one.port, {}, {}});
+  for (const OutputRequest& one : request.outputs) ports.outputs.push_back({one.port, {}, 0.0});
+  return ports;
+}
+
+Wiring wire(const IoRequest& request, const Ports& ports, guard::Bank& bank, double period) {
+  return Wirer(request, ports, bank, period).wiring();
+}
+
+}  // namespace stepwire::devices

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/simulate/devices/io_request.hpp"
+#include "engine/simulate/devices/ports.hpp"
+#include "engine/simulate/guard/bank.hpp"
+#include "engine/simulate/guard/watch.hpp"
+
+namespace stepwire::devices {
+
+/// Input of the diagram: scale * channel + offset, in SI, through a filter.
+struct InputWire {
+  std::size_t port = 0, channel = 0;  ///< places among the numbers of the diagram and of all devices
+  double scale = 1.0, offset = 0.0;
+  double filter = 1.0;  ///< share of the new value in a step
+};
+
+/// Output of the diagram, within its limits; the channel gets scale * output + offset.
+struct OutputWire {
+  std::string name;
+  std::size_t port = 0, channel = 0;
+  double scale = 1.0, offset = 0.0;
+  double least = 0.0, most = 0.0;  ///< SI
+  double step = guard::no_limit;   ///< largest change in a period, SI
+};
+
+/// Checked connection of a diagram with devices.
+struct Wiring {
+  std::vector<guard::DeviceSettings> devices;
+  std::vector<bool> holds_stale;  ///< of each device
+  std::vector<InputWire> inputs;
+  std::vector<OutputWire> outputs;
+  guard::WatchLimits limits;
+  bool guarded = false;
+  std::optional<std::size_t> clock;  ///< device
+  std::vector<std::string> notes;    ///< ports and channels that are not wired
+};
+
+/// Returns the devices of a request. Throws yaml::Error for unknown drivers and settings.
+std::vector<guard::DeviceSettings> device_settings(const IoRequest& request);
+
+/// Ports of a loop.
+struct Ports {
+  std::vector<Port> inputs, outputs;
+
+  static Ports of(const plan::Plan& plan);
+  /// Returns those that a rig file names, of any unit, with safe values of 0.
+  static Ports of(const IoRequest& request);
+};
+
+/// Connects ports with the channels of devices. `period` is that of the loop [s]. Throws yaml::Error with all
+/// faults.
+Wiring wire(const IoRequest& request, const Ports& ports, guard::Bank& bank, double period);
+
+}  // namespace stepwire::devices

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/base/driver/open_device.hpp"
+
+namespace stepwire::guard {
+
+/// Settings of one device of a rig.
+struct DeviceSettings {
+  std::string name, driver;
+  std::string file;  ///< of the driver
+  driver::Settings settings;
+};
+
+/// Devices of a rig as one: their channels are concatenated in the order of the devices.
+class Bank {
+ public:
+  /// Opens all devices. Throws EnvironmentError.
+  explicit Bank(const std::vector<DeviceSettings>& devices);
+
+  std::size_t devices() const { return devices_.size(); }
+  driver::OpenDevice& device(std::size_t index) { return *devices_[index].open; }
+  std::size_t inputs() const { return inputs_; }
+  std::size_t outputs() const { return outputs_; }
+  std::size_t first_input(std::size_t device) const { return devices_[device].first_input; }
+  std::size_t first_output(std::size_t device) const { return devices_[device].first_output; }
+
+  /// Starts all devices, with a safe value for each output. Throws EnvironmentError.
+  void start(std::int64_t period, const double* safe);
+  /// Return the worst result of driver.h of the devices. `stale_kept` has the devices whose stale values
+  /// count on.
+  int read(double* inputs) noexcept;
+  int write(const double* outputs) noexcept;
+  int safe() noexcept;
+  /// Sets whether stale values of a device count on.
+  void hold_stale(std::size_t device, bool holds) { devices_[device].holds_stale = holds; }
+  void stop() noexcept;
+  /// Returns a line of counts for each device that has any.
+  std::vector<std::string> reports() const;
+
+ private:
+  struct One {
+    std::string name;
+    std::unique_ptr<driver::OpenDevice> open;
+    std::size_t first_input = 0, first_output = 0;
+    bool holds_stale = false;
+  };
+
+  std::vector<One> devices_;
+  std::size_t inputs_ = 0, outputs_ = 0;
+};
+
+}  // namespace stepwire::guard

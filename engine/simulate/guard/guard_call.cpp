@@ -1,0 +1,63 @@
+#include "engine/simulate/guard/guard_call.hpp"
+
+#include "engine/base/io/environment_error.hpp"
+#include "engine/base/messages/bytes.hpp"
+
+namespace stepwire::guard {
+
+namespace {
+
+using messages::all;
+using messages::list;
+
+template <class Stream>
+void devices_through(Stream& stream, std::vector<DeviceSettings>& devices) {
+  list(stream, devices, [&](DeviceSettings& one) {
+    all(stream, one.name, one.driver, one.file);
+    list(stream, one.settings, [&](auto& setting) { all(stream, setting.first, setting.second); });
+  });
+}
+
+template <class Stream>
+void limits_through(Stream& stream, WatchLimits& of) {
+  all(stream, of.period, of.late, of.ramp);
+  list(stream, of.inputs,
+       [&](InputLimits& one) { all(stream, one.name, one.least, one.most, one.rate, one.stuck); });
+  list(stream, of.outputs,
+       [&](OutputLimits& one) { all(stream, one.name, one.safe, one.least, one.most, one.rate); });
+  std::vector<DeadMan> men;
+  if (of.dead_man) men.push_back(*of.dead_man);
+  list(stream, men, [&](DeadMan& one) { all(stream, one.input, one.above); });
+  if (!men.empty()) of.dead_man = men.front();
+  list(stream, of.powers,
+       [&](PowerLimit& one) { all(stream, one.name, one.effort, one.flow, one.flow_is_position, one.most); });
+}
+
+template <class Stream>
+void through(Stream& stream, GuardCall& call) {
+  devices_through(stream, call.devices);
+  std::vector<std::uint8_t> holds(call.holds_stale.begin(), call.holds_stale.end());
+  messages::plain_list(stream, holds);
+  call.holds_stale.assign(holds.begin(), holds.end());
+  limits_through(stream, call.limits);
+  all(stream, call.priority);
+}
+
+}  // namespace
+
+std::string bytes_of(GuardCall call) {
+  messages::ByteWriter writer;
+  through(writer, call);
+  return writer.take();
+}
+
+GuardCall guard_call(std::string_view bytes) {
+  messages::ByteReader reader(bytes);
+  GuardCall call;
+  through(reader, call);
+  if (!reader.whole() || !reader.at_end() || call.holds_stale.size() != call.devices.size())
+    throw io::EnvironmentError("the call of the guard is not whole");
+  return call;
+}
+
+}  // namespace stepwire::guard

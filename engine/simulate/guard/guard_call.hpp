@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/simulate/guard/bank.hpp"
+#include "engine/simulate/guard/watch.hpp"
+
+namespace stepwire::guard {
+
+/// Content of the call of a guard.
+struct GuardCall {
+  std::vector<DeviceSettings> devices;
+  std::vector<bool> holds_stale;  ///< of each device
+  WatchLimits limits;
+  int priority = 0;  ///< of SCHED_FIFO; 0: the default policy
+};
+
+/// Return a call as bytes, and read it back. Bytes that are not whole throw EnvironmentError.
+std::string bytes_of(GuardCall call);
+GuardCall guard_call(std::string_view bytes);
+
+}  // namespace stepwire::guard

@@ -1,0 +1,144 @@
+#include "engine/simulate/guard/guard_process.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <poll.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+
+#include "engine/base/io/environment_error.hpp"
+
+namespace stepwire::guard {
+
+namespace {
+
+/// Asks for the scheduling of a guard, as far as the system allows.
+void become_prompt(int priority) {
+  ::mlockall(MCL_CURRENT | MCL_FUTURE);
+  ::prctl(PR_SET_TIMERSLACK, 1);
+  sched_param parameter{};
+  parameter.sched_priority = priority;
+  if (priority > 0) ::sched_setscheduler(0, SCHED_FIFO, &parameter);
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
+}  // namespace
+
+GuardProcess::GuardProcess(Link& link, int life)
+    : link_(link), life_(life), call_(guard_call(link.call())), watch_(call_.limits), bank_(call_.devices) {
+  if (bank_.inputs() != call_.limits.inputs.size() || bank_.outputs() != call_.limits.outputs.size())
+    throw io::EnvironmentError("the devices have other channels than before");
+  inputs_.assign(bank_.inputs(), 0.0);
+  commands_.assign(bank_.outputs(), 0.0);
+  for (std::size_t i = 0; i < bank_.devices(); ++i) bank_.hold_stale(i, call_.holds_stale[i]);
+  bank_.start(call_.limits.period, watch_.safe());
+  bank_.safe();
+}
+
+void GuardProcess::serve() {
+  become_prompt(call_.priority);
+  read_devices(monotonic());
+  link_.tell(GuardState::running, "");
+  while (!finished_) {
+    link_.await_beat(seen_, next_turn());
+    turn(monotonic());
+  }
+  finish();
+}
+
+/// Inputs are read three quarters of a period after a command, so that they are new when the loop wakes.
+std::int64_t GuardProcess::next_turn() const {
+  return active_ ? std::min(next_read_, watch_.next_check() + 1) : next_read_;
+}
+
+void GuardProcess::turn(std::int64_t now) {
+  const std::uint32_t beats = link_.beats();
+  if (beats != seen_) {
+    seen_ = beats;
+    take_command(now);
+  } else if (active_) {
+    watch_.waited(now);
+  }
+  if (now >= next_read_) read_devices(now);
+  finished_ = finished_ || loop_is_gone();
+  if (watch_.tripped()) announce_trip();
+  link_.turn();
+}
+
+void GuardProcess::take_command(std::int64_t now) {
+  const GuardRequest request = link_.request();
+  finished_ = request == GuardRequest::finish;
+  active_ = request == GuardRequest::command;
+  next_read_ = now + 3 * call_.limits.period / 4;
+  if (!active_) {
+    watch_.rest();
+    bank_.safe();
+  } else if (!watch_.tripped() && link_.commands().get(commands_.data())) {
+    watch_.commanded(now, commands_.data());
+    if (!watch_.tripped()) accept(bank_.write(watch_.outputs()));
+  }
+}
+
+void GuardProcess::read_devices(std::int64_t now) {
+  accept(bank_.read(inputs_.data()));
+  watch_.sensed(now, inputs_.data());
+  link_.inputs().put(inputs_.data());
+  next_read_ = now + call_.limits.period / 2;
+}
+
+void GuardProcess::accept(int result) noexcept {
+  if (result == STEPWIRE_STALE || result == STEPWIRE_ENDED) watch_.trip(Watch::Cause::stale);
+  if (result == STEPWIRE_FAILED) watch_.trip(Watch::Cause::device);
+}
+
+/// Writes the safe values, also in each later turn, and then states the reason.
+void GuardProcess::announce_trip() {
+  bank_.safe();
+  if (announced_) return;
+  announced_ = true;
+  link_.tell(GuardState::tripped, watch_.text());
+}
+
+bool GuardProcess::loop_is_gone() const {
+  pollfd look{life_, 0, 0};
+  return ::poll(&look, 1, 0) > 0;
+}
+
+void GuardProcess::finish() {
+  bank_.safe();
+  bank_.stop();
+  link_.put_reports(joined(bank_.reports()));
+  const bool was_asked = link_.request() == GuardRequest::finish;
+  if (!was_asked)
+    std::fprintf(
+        stderr,
+        "the loop has ended without finishing; its guard has set all outputs to their safe values%s%s\n",
+        watch_.tripped() ? ": " : "", watch_.text().c_str());
+  link_.tell(GuardState::ended, watch_.text());
+}
+
+int run_guard(int memory, int life) {
+  for (const int signal : {SIGINT, SIGHUP, SIGQUIT, SIGTERM, SIGPIPE}) std::signal(signal, SIG_IGN);
+  try {
+    Link link{io::Descriptor(memory)};
+    try {
+      GuardProcess(link, life).serve();
+      return 0;
+    } catch (const std::exception& error) {
+      link.tell(GuardState::failed, error.what());
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+  }
+  return 3;
+}
+
+}  // namespace stepwire::guard

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "engine/base/io/descriptor.hpp"
+
+namespace stepwire::guard {
+
+/// Returns the time of CLOCK_MONOTONIC [ns].
+std::int64_t monotonic();
+
+/// State of a guard, as the loop sees it.
+enum class GuardState : std::uint32_t {
+  starting,
+  running,
+  tripped,  ///< the outputs are safe for good; the reason is stated
+  failed,   ///< it could not start; the reason is stated
+  ended
+};
+
+/// Request of a loop to its guard.
+enum class GuardRequest : std::uint32_t { command, rest, finish };
+
+/// Numbers that one process writes and another one reads whole. `lock` is odd while they change. A writer
+/// that ends inside leaves it odd, and the reader keeps its values.
+class SharedNumbers {
+ public:
+  SharedNumbers(std::atomic<std::uint32_t>& lock, std::atomic<double>* values, std::size_t count)
+      : lock_(lock), values_(values), count_(count) {}
+
+  void put(const double* values) noexcept;
+  /// Returns false where no whole change is found.
+  bool get(double* values) const noexcept;
+
+ private:
+  std::atomic<std::uint32_t>& lock_;
+  std::atomic<double>* values_;
+  std::size_t count_;
+};
+
+/// Memory that a loop and its guard share: counters, inputs, commands, and the call of the guard.
+class Link {
+ public:
+  /// Creates it. Throws EnvironmentError.
+  Link(std::size_t inputs, std::size_t outputs, std::string_view call);
+  /// Maps the one of a descriptor; throws EnvironmentError.
+  explicit Link(io::Descriptor memory);
+  ~Link();
+  Link(const Link&) = delete;
+  Link& operator=(const Link&) = delete;
+
+  int descriptor() const { return memory_.number(); }
+  std::string_view call() const;
+  SharedNumbers inputs() const { return {head_->inputs_lock, numbers(), head_->inputs}; }
+  SharedNumbers commands() const { return {head_->commands_lock, numbers() + head_->inputs, head_->outputs}; }
+
+  /// Counts a command or request, and wakes the guard.
+  void beat(GuardRequest request) noexcept;
+  std::uint32_t beats() const { return head_->beats.load(std::memory_order_acquire); }
+  GuardRequest request() const { return static_cast<GuardRequest>(head_->request.load()); }
+  /// Waits until beats() differs from `seen`, or until the time [ns] of CLOCK_MONOTONIC.
+  void await_beat(std::uint32_t seen, std::int64_t until) const noexcept;
+
+  /// Counts a turn of the guard.
+  void turn() noexcept { head_->turns.fetch_add(1, std::memory_order_release); }
+  std::uint64_t turns() const { return head_->turns.load(std::memory_order_acquire); }
+
+  void tell(GuardState state, const std::string& reason) noexcept;
+  GuardState state() const { return static_cast<GuardState>(head_->state.load(std::memory_order_acquire)); }
+  std::string reason() const { return head_->reason.data(); }
+  void put_reports(const std::string& lines) noexcept;
+  std::string reports() const { return head_->reports.data(); }
+
+ private:
+  struct Head {
+    std::atomic<std::uint32_t> beats{0}, request{0}, state{0}, inputs_lock{0}, commands_lock{0};
+    std::atomic<std::uint64_t> turns{0};
+    std::size_t inputs = 0, outputs = 0, call = 0;
+    std::array<char, 512> reason{};
+    std::array<char, 4096> reports{};
+  };
+  static_assert(std::atomic<double>::is_always_lock_free && std::atomic<std::uint64_t>::is_always_lock_free);
+
+  std::atomic<double>* numbers() const;
+  std::size_t call_offset() const;
+  void map(std::size_t bytes);
+
+  io::Descriptor memory_;
+  std::size_t bytes_ = 0;
+  Head* head_ = nullptr;
+};
+
+}  // namespace stepwire::guard

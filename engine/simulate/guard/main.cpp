@@ -1,0 +1,11 @@
+// Program of the guard. The program `stepwire` starts it with two open descriptors; people do not call it.
+#include <cstdio>
+#include <cstdlib>
+
+#include "engine/simulate/guard/guard_process.hpp"
+
+int main(int count, char** arguments) {
+  if (count == 3) return stepwire::guard::run_guard(std::atoi(arguments[1]), std::atoi(arguments[2]));
+  std::fputs("stepwire_guard is started by 'stepwire loop --io'\n", stderr);
+  return 2;
+}

@@ -1,0 +1,129 @@
+// The guard of a loop: whatever ends or stops the loop, the outputs at the rig become the safe values.
+#include <catch2/catch.hpp>
+#include <csignal>
+
+#include "tests/engine/app/cli/processes.hpp"
+#include "tests/engine/app/cli/program.hpp"
+#include "tests/support/rig_host.hpp"
+
+namespace {
+
+using Catch::Contains;
+using stepwire::Beside;
+using stepwire::RigHost;
+
+constexpr double wanted = 0.5, safe = 0.125;  // [A]
+constexpr int soon = 100;  // steps of the rig, 10 ms each, with which no machine is too busy
+
+/// A loop at 100 Hz that asks for 0.5 A at a force of 1 N, over a rig in this process.
+struct Guarded {
+  explicit Guarded(const std::string& more = "late: 100 ms\n") : rig(name()) {
+    folder.file("a.yaml", R"(stepwire: 1
+title: A coil that follows a force
+step: 10 ms
+stop: 1 s
+inputs: {force: {unit: N, default: 1 N}}
+outputs: {current: {signal: coil, unit: A, safe: 0.125 A}}
+blocks: {coil: {block: Gain, u: force, gain: 0.5 A/N}}
+record: [coil]
+)");
+    folder.file("rig.yaml", "devices: {rig: {driver: shared, stale: 1 s, name: " + name() +
+                                "}}\ninputs: {force: {device: rig, channel: force, range: [-4 N, 4 N]}}\n"
+                                "outputs: {current: {device: rig, channel: current, limits: [-1 A, 1 A]}}\n" +
+                                more);
+    begin();
+  }
+
+  static std::string name() { return "stepwire-test-" + std::to_string(::getpid()); }
+  void begin() {
+    loop.emplace(STEPWIRE_PROGRAM,
+                 std::vector<std::string>{"loop", "a.yaml", "--io", "rig.yaml", "--rate", "100", "--duration",
+                                          "60", "--policy", "other", "--out", "out"},
+                 folder.path(""));
+  }
+  std::string errors() const { return content_of(folder.path(".err")); }
+
+  Scratch folder;
+  RigHost rig;
+  std::optional<Beside> loop;
+};
+
+}  // namespace
+
+TEST_CASE("a guarded loop that is interrupted ends with its safe value, its counts and its files") {
+  Guarded one;
+  REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
+  one.loop->send(SIGINT);
+  CHECK(one.rig.steps_until(safe, soon) <= soon);
+  CHECK(one.loop->end() == 130);
+  CHECK(one.errors().empty());
+  CHECK_THAT(content_of(one.folder.path(".out")), Contains("rig: ") && Contains("changes seen"));
+  CHECK(processes_in(one.folder.path("")) == 0);
+  CHECK(run_program(one.folder, {"verify", "out"}).code == 0);
+}
+
+TEST_CASE("a loop that is killed leaves the safe value at the rig, and no guard") {
+  Guarded one;
+  REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
+  one.loop->send(SIGKILL);
+  CHECK(one.rig.steps_until(safe, soon) <= soon);
+  CHECK(one.loop->end() == 128 + SIGKILL);
+  CHECK(processes_in(one.folder.path("")) == 0);
+  CHECK_THAT(one.errors(),
+             Contains("the loop has ended without finishing; its guard has set all outputs to their "
+                      "safe values"));
+}
+
+TEST_CASE("a loop that is stopped is late, and gets its outputs back only by a new start") {
+  Guarded one;
+  REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
+  one.loop->send(SIGSTOP);
+  CHECK(one.rig.steps_until(safe, soon) <= soon);
+  one.loop->send(SIGCONT);
+  CHECK(one.loop->end() == 3);
+  CHECK_THAT(one.errors(), Contains("the loop has written nothing for"));
+  for (int i = 0; i < 20; ++i) CHECK(one.rig.step(1.0) == safe);
+  one.begin();
+  CHECK(one.rig.steps_until(wanted, 3000) <= 3000);
+}
+
+TEST_CASE("a loop whose guard is killed or stopped sets the safe value itself, and ends") {
+  for (const int signal : {SIGKILL, SIGSTOP}) {
+    Guarded one;
+    REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
+    const int guard = one.loop->child("stepwire_guard");
+    REQUIRE(guard > 0);
+    ::kill(guard, signal);
+    CHECK(one.rig.steps_until(safe, soon) <= soon);
+    CHECK(one.loop->end() == 3);
+    CHECK_THAT(one.errors(), Contains("the guard has ended or does not get the processor"));
+    CHECK(processes_in(one.folder.path("")) == 0);
+  }
+}
+
+TEST_CASE("a force out of its range trips the guard, which the loop reports") {
+  Guarded one;
+  REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
+  int steps = 0;
+  while (one.rig.step(5.0) != safe && steps < soon) ++steps;
+  CHECK(steps < soon);
+  CHECK(one.loop->end() == 3);
+  CHECK_THAT(one.errors(), Contains("input rig.force is 5, out of its range"));
+}
+
+TEST_CASE("a rig that offers nothing new ends the loop") {
+  Guarded one;
+  REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
+  CHECK(one.loop->end() == 3);  // the rig does no step meanwhile
+  CHECK_THAT(one.errors(), Contains("the device has no new values"));
+  CHECK(one.rig.step(1.0) == safe);
+}
+
+TEST_CASE("a guard that cannot start says why, and nothing moves") {
+  Guarded one;
+  REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
+  one.folder.file("b.yaml", "devices: {rig: {driver: shared, name: stepwire-none}}\n");
+  const Done done = run_program(one.folder, {"loop", "a.yaml", "--io", "b.yaml", "--rate", "100"});
+  CHECK(done.code == 3);
+  CHECK_THAT(done.err, Contains("driver shared: there is no shared memory /stepwire-none; its host"));
+}

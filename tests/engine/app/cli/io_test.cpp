@@ -1,0 +1,231 @@
+// Loops with devices, and the verbs for them. Timing is never checked.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "engine/base/table/table_file.hpp"
+#include "tests/engine/app/cli/program.hpp"
+#include "tests/support/rig_host.hpp"
+
+namespace {
+
+using Catch::Contains;
+
+const std::string follow_yaml = R"(stepwire: 1
+title: A coil that follows a force
+step: 10 ms
+stop: 1 s
+inputs: {force: {unit: N, default: 1 N}}
+outputs: {current: {signal: coil, unit: A, safe: 0.25 A}}
+blocks:
+  coil: {block: Gain, u: force, gain: 0.1 A/N}
+record: [coil]
+)";
+
+const std::string rig_yaml = R"(devices:
+  card: {driver: file, pace: reads, play: in.csv, outputs: drive in V, record: out.csv}
+inputs:
+  force: {device: card, channel: volt, scale: 2 N/V}
+outputs:
+  current: {device: card, channel: drive, scale: 4 V/A, limits: [0 A, 2 A]}
+guard: false
+)";
+
+/// Runs the loop at 100 Hz with the rig.
+Done loop(const Scratch& folder, const std::string& rig, const std::string& duration = "0.2") {
+  folder.file("a.yaml", follow_yaml);
+  folder.file("rig.yaml", rig);
+  return run_program(folder, {"loop", "a.yaml", "--io", "rig.yaml", "--rate", "100", "--duration", duration,
+                              "--policy", "other", "--overrun", "catch-up", "--out", "out"});
+}
+
+}  // namespace
+
+TEST_CASE("a loop reads and writes the devices of its rig, ends at the safe value, and is verified") {
+  const Scratch folder;
+  folder.file("in.csv", "time [s],volt [V]\n0,1\n0.05,2\n0.1,3\n9,3\n");
+  const Done done = loop(folder, rig_yaml);
+  INFO(done.err << done.out);
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out, Contains("  read ") && Contains("  write ") && Contains("card: 20 reads"));
+  const auto out = stepwire::table::read_csv(folder.path("out.csv"));
+  const auto& drive = out.find("drive")->values;
+  REQUIRE(drive.size() >= 22);  // safe at first, 20 steps, safe at last
+  CHECK(drive.front() == 1.0);
+  CHECK(drive.back() == 1.0);
+  for (std::size_t i = 0; i < 20; ++i)
+    CHECK(drive[i + 1] == Approx(0.8 * (i < 5 ? 1.0 : i < 10 ? 2.0 : 3.0)));
+  const auto report = nlohmann::json::parse(content_of(folder.path("out/loop.json")));
+  CHECK(report["end"] == "done");
+  CHECK(report["read"]["count"] == 20);
+  CHECK(report["write"]["count"] == 20);
+  CHECK(report["devices"].size() == 1);
+  CHECK(run_program(folder, {"verify", "out"}).code == 0);
+}
+
+TEST_CASE("a device that has nothing new ends a loop with 3, its reason, and the safe value") {
+  const Scratch folder;
+  folder.file("in.csv", "time [s],volt [V]\n0,1\n0.05,2\n");
+  const Done done = loop(folder, rig_yaml);
+  INFO(done.err << done.out);
+  CHECK(done.code == 3);
+  CHECK_THAT(done.out, Contains("ended by a device"));
+  CHECK_THAT(done.err, Contains("the device has no new values"));
+  const auto report = nlohmann::json::parse(content_of(folder.path("out/loop.json")));
+  CHECK(report["faults"] == nlohmann::json{"the device has no new values"});
+  CHECK(stepwire::table::read_csv(folder.path("out.csv")).find("drive")->values.back() == 1.0);
+}
+
+TEST_CASE("a rig with faults moves nothing") {
+  const Scratch folder;
+  folder.file("in.csv", "time [s],volt [V]\n0,1\n");
+  const Done done = loop(folder, rig_yaml + "late: 1 m\nramp: fast\n");
+  CHECK(done.code == 2);
+  CHECK_THAT(done.err, Contains("rig.yaml:8:7: late: '1 m' is no number in s") &&
+                           Contains("rig.yaml:9:7: ramp: 'fast' is no number with a unit"));
+  CHECK_FALSE(std::filesystem::exists(folder.path("out.csv")));
+}
+
+TEST_CASE("the drivers are listed with their settings") {
+  const Scratch folder;
+  const Done done = run_program(folder, {"devices"});
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out, Contains("file: plays a record") && Contains("latency") &&
+                           Contains("shared: shared memory") && Contains("name of the shared memory") &&
+                           Contains("required"));
+}
+
+TEST_CASE("a driver of one's own is found in the folder that STEPWIRE_DRIVERS names, and a bad one is told") {
+  const Scratch folder;
+  std::filesystem::create_directory(folder.path("own"));
+  folder.file("own/mine.so", "no object");
+  Call call;
+  call.arguments = {"devices"};
+  call.environment["STEPWIRE_DRIVERS"] = folder.path("own");
+  const Done done = run_program(folder, call);
+  CHECK(done.code == 3);
+  CHECK_THAT(done.err, Contains("own/mine.so cannot be loaded"));
+}
+
+namespace {
+
+/// A plant in one process and its controller in another one, at 100 Hz by shared memory.
+struct Pair {
+  Pair() {
+    folder.file("plant.yaml", R"(stepwire: 1
+title: A slide that is driven at a speed
+step: 10 ms
+stop: 1 s
+inputs: {speed: {unit: m/s, default: 0 m/s}}
+outputs: {place: {signal: slide, safe: 0 m}}
+blocks: {slide: {block: Integrator, u: speed}}
+record: [slide]
+)");
+    folder.file("control.yaml", R"(stepwire: 1
+title: A controller of a place
+step: 10 ms
+stop: 1 s
+inputs: {place: {unit: m, default: 0 m}}
+outputs: {speed: {signal: drive, safe: 0 m/s}}
+blocks:
+  error: {block: Sum, signs: "+-", u: [1 m, place]}
+  drive: {block: Gain, u: error, gain: 5 1/s}
+record: [place, drive]
+)");
+    folder.file(
+        "rig.yaml",
+        "devices: {rig: {driver: shared, name: " + name +
+            ", stale: 2 s}}\ninputs: {place: {device: rig, channel: place}}\noutputs: {speed: {device: rig, "
+            "channel: speed, limits: [-4 m/s, 4 m/s]}}\nlate: 1 s\n");
+  }
+
+  std::vector<std::string> rig(const std::vector<std::string>& more) const {
+    std::vector<std::string> all{"rig",      "plant.yaml", "--shared",  name,  "--rate", "100",
+                                 "--policy", "other",      "--inhibit", "2 s", "--out",  "plant"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  Done control() const {
+    for (int look = 0; look < 500 && !std::filesystem::exists("/dev/shm/" + name); ++look) ::usleep(10'000);
+    return run_program(folder, {"loop", "control.yaml", "--io", "rig.yaml", "--rate", "100", "--duration",
+                                "3", "--policy", "other", "--out", "control"});
+  }
+  std::vector<double> places(const std::string& of) const {
+    return stepwire::table::read_csv(folder.path(of))
+        .find(of.starts_with("plant") ? "slide" : "place")
+        ->values;
+  }
+
+  Scratch folder;
+  std::string name = "stepwire-pair-" + std::to_string(::getpid());
+};
+
+}  // namespace
+
+TEST_CASE("a controller moves a plant in another process, and both are verified bit by bit") {
+  const Pair pair;
+  stepwire::Beside plant(STEPWIRE_PROGRAM, pair.rig({"--duration", "5", "--quantum", "place=0.001m"}),
+                         pair.folder.path(""));
+  const Done done = pair.control();
+  INFO(done.err << done.out);
+  CHECK(done.code == 0);
+  CHECK(plant.end() == 0);
+  CHECK(pair.places("control/signals.csv").back() == Approx(1.0).margin(0.002));
+  for (const double place : pair.places("control/signals.csv"))
+    CHECK(std::abs(place * 1000 - std::round(place * 1000)) < 1e-9);
+  for (const char* side : {"control", "plant"}) CHECK(run_program(pair.folder, {"verify", side}).code == 0);
+  CHECK_FALSE(std::filesystem::exists("/dev/shm/" + pair.name));
+}
+
+TEST_CASE("a sensor of the rig that becomes no number ends the controller") {
+  const Pair pair;
+  stepwire::Beside plant(STEPWIRE_PROGRAM, pair.rig({"--duration", "5", "--fault", "nan:place@0.5s"}),
+                         pair.folder.path(""));
+  const Done done = pair.control();
+  CHECK(done.code == 3);
+  CHECK_THAT(done.err, Contains("input rig.place became nan"));
+}
+
+TEST_CASE("what is asked of a rig wrongly is refused with what would be right") {
+  const Pair pair;
+  for (const auto& [options, text] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"--noise", "plac=1m"}, "--plac"},
+           {{"--noise", "place=1N"}, "is not in m, the unit of place"},
+           {{"--fault", "bend:place@1s"}, "is no fault; such as stuck:force@2s"},
+           {{"--latency", "2"}, "must be a time"}}) {
+    const Done done = run_program(pair.folder, pair.rig(options));
+    INFO(done.err);
+    CHECK(done.code == 2);
+    if (text != "--plac")
+      CHECK_THAT(done.err, Contains(text));
+    else
+      CHECK_THAT(done.err, Contains("the diagram has no output 'plac'; did you mean 'place'?"));
+  }
+}
+
+TEST_CASE("the inputs of a rig are shown in SI, and one output is moved within its limits") {
+  const Scratch folder;
+  folder.file("in.csv", "time [s],volt [V]\n0,1\n9,1\n");
+  folder.file("rig.yaml", R"(devices:
+  card: {driver: file, pace: reads, play: in.csv, outputs: drive in V, record: out.csv}
+inputs: {force: {device: card, channel: volt, scale: 2 N/V}}
+outputs: {current: {device: card, channel: drive, scale: 4 V/A, limits: [0 A, 2 A]}}
+)");
+  const Done done = run_program(folder, {"io", "rig.yaml", "--set", "current=5A", "--duration", "0.3"});
+  INFO(done.err << done.out);
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out, Contains("force 2\n") && Contains("output current was held at its limits"));
+  const auto drive = stepwire::table::read_csv(folder.path("out.csv")).find("drive")->values;
+  CHECK(*std::ranges::max_element(drive) == 8.0);
+  CHECK(drive.back() == 0.0);
+  CHECK(run_program(folder, {"io", "rig.yaml", "--set", "curent=5A"}).code == 2);
+}
+
+TEST_CASE("the check for real time has a cure for each weak line") {
+  const Scratch folder;
+  const Done done = run_program(folder, {"realtime-check"});
+  CHECK(done.code <= 1);
+  CHECK_THAT(done.out,
+             Contains("kernel: ") && Contains("isolated processors: ") && Contains("locked memory: "));
+  if (done.code == 1) CHECK_THAT(done.out, Contains("weak"));
+}

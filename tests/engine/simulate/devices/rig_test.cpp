@@ -1,0 +1,196 @@
+// From a rig file to channels: what is refused, and the numbers that pass between a diagram and the driver
+// `file`.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/table/table_file.hpp"
+#include "engine/simulate/devices/wired_device.hpp"
+#include "tests/engine/base/table/scratch.hpp"
+#include "tests/support/plan_text.hpp"
+
+namespace stepwire::devices {
+namespace {
+
+using Catch::Contains;
+
+const std::string diagram_yaml = R"(inputs:
+  force: {unit: N, default: 3 N}
+  arm: {unit: rad, default: [0, 0]}
+outputs:
+  current: {signal: coil, unit: A, safe: 0.1 A}
+  angle: {signal: arm, safe: 0}
+blocks:
+  coil: {block: Gain, gain: 0.01 A/N, u: force}
+record: [coil]
+)";
+
+/// A rig over the driver `file`, whose record has a row each 10 ms by reads.
+struct Opened {
+  explicit Opened(const std::string& rest, const std::string& record =
+                                               "time [s],volt [V],turn [deg]\n0,1,180\n"
+                                               "0.01,2,90\n0.02,4,0\n9,4,0\n")
+      : plan(plan_text(diagram_yaml)), path(folder.file("rig.yaml", text(record, rest))) {}
+
+  std::string text(const std::string& record, const std::string& rest) {
+    return "devices:\n  card: {driver: file, pace: reads, play: " + folder.file("in.csv", record) +
+           ", outputs: [drive in V, led], record: " + folder.path("out.csv") + "}\n" + rest;
+  }
+  void open() { rig.emplace(path, plan, 0.01); }
+  /// Returns the faults, "" for none.
+  std::string faults() {
+    try {
+      open();
+      return "";
+    } catch (const yaml::Error& error) {
+      return error.what();
+    }
+  }
+  std::vector<double> read() {
+    std::vector<double> values{3.0, 0.0, 0.0};
+    rig->device().read(values.data());
+    return values;
+  }
+  void write(double current) {
+    const double outputs[] = {current, 0.0, 0.0};
+    rig->device().write(outputs);
+  }
+  /// Returns a column of what the device got.
+  std::vector<double> written(const std::string& column) {
+    rig->finish();
+    return table::read_csv(folder.path("out.csv")).find(column)->values;
+  }
+
+  Scratch folder;
+  plan::Plan plan;
+  std::string path;
+  std::optional<Rig> rig;
+};
+
+}  // namespace
+
+TEST_CASE("inputs have the scale, offset, direction and unit of their wires") {
+  Opened one(R"(inputs:
+  force: {device: card, channel: volt, scale: 20 N/V, offset: -5 N}
+  arm.2: {device: card, channel: turn, direction: reverse}
+)");
+  one.open();
+  const double pi = std::numbers::pi;
+  CHECK(one.read() == std::vector{15.0, 0.0, -pi});
+  CHECK(one.read() == std::vector{35.0, 0.0, -pi / 2});
+  CHECK(one.rig->notes() == std::vector<std::string>{"input arm.1 is not wired and keeps its default",
+                                                     "output current is not wired",
+                                                     "output angle.1 is not wired",
+                                                     "output angle.2 is not wired"});
+}
+
+TEST_CASE("a filter of first order goes the share of its cutoff in a step") {
+  Opened one("inputs: {force: {device: card, channel: volt, scale: 1 N/V, filter: 5 Hz}}\n");
+  one.open();
+  const double share = 1.0 - std::exp(-2.0 * std::numbers::pi * 5.0 * 0.01);
+  CHECK(one.read()[0] == 1.0);
+  CHECK(one.read()[0] == Approx(1.0 + share));
+  CHECK(one.read()[0] == Approx(1.0 + share + share * (3.0 - share)));
+}
+
+TEST_CASE("outputs are converted, kept within limits and rate, and end at the safe value") {
+  Opened one(R"(outputs:
+  current: {device: card, channel: drive, scale: 2 V/A, limits: [0 A, 0.35 A], rate: 10 A/s}
+guard: false
+)");
+  one.open();
+  for (const double current : {0.15, 0.5, 0.5, 0.5, 0.2, -1.0}) {
+    one.read();
+    one.write(current);
+  }
+  const double ends[] = {0.1, 0.0, 0.0};
+  one.rig->device().rest(ends);
+  const auto lines = one.rig->finish();
+  CHECK_THAT(lines.back(),
+             Contains("output current was held at its limits in 4 and at its rate in 3 of 6 steps"));
+  const auto drive = one.written("drive");
+  const std::vector expected{0.2, 0.3, 0.5, 0.7, 0.7, 0.5, 0.3};
+  for (std::size_t i = 0; i < expected.size(); ++i) CHECK(drive[i] == Approx(expected[i]));
+  CHECK(drive.back() == 0.2);
+}
+
+TEST_CASE("a value that is not finite ends the use of the devices at their safe values") {
+  Opened one(
+      "outputs: {current: {device: card, channel: drive, scale: 2 V/A, limits: [0 A, 1 A]}}\nguard: false\n");
+  one.open();
+  one.read();
+  one.write(0.5);
+  CHECK(one.rig->device().healthy());
+  one.write(std::nan(""));
+  CHECK_FALSE(one.rig->device().healthy());
+  one.write(0.5);
+  CHECK_THAT(one.rig->trouble(), Contains("card.drive was to become nan"));
+  CHECK(one.written("drive") == std::vector{0.2, 1.0, 0.2, 0.2, 0.2});
+}
+
+TEST_CASE("a record that has ended ends the use of the devices, unless its last row is to hold") {
+  const std::string short_record = "time [s],volt [V],turn [deg]\n0,1,0\n0.01,2,0\n";
+  for (const std::string stale : {"stop", "hold"}) {
+    Opened one("inputs: {force: {device: card, channel: volt, scale: 1 N/V, stale: " + stale + "}}\n",
+               short_record);
+    one.open();
+    one.read();
+    one.read();
+    CHECK(one.rig->device().healthy());
+    one.read();
+    CHECK_FALSE(one.rig->device().healthy());  // an end is more than an old value
+  }
+}
+
+TEST_CASE("the faults of a rig file have their places, all at once") {
+  Opened one(R"(inputs:
+  forse: {device: card, channel: volt}
+  force: {device: card, channel: volts, scale: 20 N/V}
+  arm.1: {device: crad, channel: turn}
+  arm.2: {device: card, channel: volt}
+outputs:
+  current: {device: card, channel: drive, scale: 2 V/N, limits: [0.35 A, 0 A], rate: 5 A}
+  angle.1: {device: card, channel: led, limits: [1, 2]}
+dead_man: {device: card, channel: button}
+clock: card
+)");
+  const std::string faults = one.faults();
+  INFO(faults);
+  for (const char* text :
+       {":4:3: forse: the diagram has no input 'forse'; did you mean 'force'?",
+        ":5:3: inputs.force: the device 'card' has no input 'volts'; did you mean 'volt'?",
+        ":6:3: inputs.arm.1: there is no device 'crad'; did you mean 'card'?",
+        ":7:3: inputs.arm.2: is in rad, and its channel in V; 'scale' leads from one to the other, in 1/V",
+        "outputs.current.scale: has the unit V/N; it must be in", "outputs.current.limits: does not rise",
+        "outputs.current.rate: has the unit A; it must be in A/s",
+        "outputs.angle.1: has a safe value out of its limits",
+        "dead_man: the device 'card' has no input 'button'", "clock: the driver of 'card' has no clock"})
+    CHECK_THAT(faults, Contains(text));
+}
+
+TEST_CASE("keys, drivers and settings that are not known are refused with the nearest ones") {
+  Opened key("inputs: {force: {device: card, channel: volt, skale: 20 N/V}}\n");
+  CHECK_THAT(key.faults(), Contains("an input has no 'skale'; did you mean 'scale'?"));
+  Opened number("inputs: {force: {device: card, channel: volt, scale: 20 N/V, filter: 20}}\n");
+  CHECK_THAT(number.faults(), Contains("'20' is no number in Hz"));
+  Opened missing("outputs: {current: {device: card, channel: drive, scale: 2 V/A}}\n");
+  CHECK_THAT(missing.faults(), Contains("'limits' is missing"));
+  Opened driver("");
+  driver.path = driver.folder.file(
+      "b.yaml", "devices: {a: {driver: fille}, b: {driver: shared}, c: {driver: file, plai: x}}\n");
+  const std::string faults = driver.faults();
+  CHECK_THAT(faults, Contains("b.yaml:1:11: devices.a: there is no driver 'fille'; there are ") &&
+                         Contains("shared"));
+  CHECK_THAT(faults, Contains("devices.b: the driver shared needs the setting 'name'"));
+  CHECK_THAT(faults, Contains("the driver file has no 'plai'; did you mean 'play'?"));
+}
+
+TEST_CASE("two outputs of one channel and an output without a safe value are refused") {
+  Opened one(R"(outputs:
+  current: {device: card, channel: drive, scale: 2 V/A, limits: [0 A, 1 A]}
+  angle.1: {device: card, channel: drive, scale: 2 V, limits: [0, 1]}
+)");
+  CHECK_THAT(one.faults(), Contains("outputs.angle.1: the channel 'drive' has another output already"));
+}
+
+}  // namespace stepwire::devices

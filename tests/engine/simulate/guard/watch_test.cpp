@@ -1,0 +1,193 @@
+// Every fault of a loop or a rig leads to the safe values, at an instant that follows from the limits alone.
+#include "engine/simulate/guard/watch.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace stepwire::guard {
+namespace {
+
+using Catch::Contains;
+using Cause = Watch::Cause;
+
+constexpr std::int64_t ms = 1'000'000;
+
+/// One output from -1 to 1 with 20 in a second at most, safe at 0.25; inputs force and speed.
+WatchLimits limits() {
+  WatchLimits of;
+  of.period = 10 * ms;
+  of.late = 20 * ms;
+  of.outputs = {{"coil", 0.25, -1.0, 1.0, 20.0}};
+  of.inputs = {{"force", -50.0, 50.0, 1000.0}, {"speed"}};
+  return of;
+}
+
+struct Fed {
+  explicit Fed(const WatchLimits& of = limits()) : watch(of) {}
+
+  /// One period later: the inputs, then the command.
+  void step(double command, double force = 1.0, double speed = 0.0) {
+    now += 10 * ms;
+    const double inputs[] = {force, speed};
+    watch.sensed(now, inputs);
+    watch.commanded(now, &command);
+  }
+  double coil() const { return watch.outputs()[0]; }
+
+  Watch watch;
+  std::int64_t now = 0;
+};
+
+}  // namespace
+
+TEST_CASE("commands within their limits pass to the bit") {
+  Fed fed;
+  CHECK(fed.coil() == 0.25);
+  for (const double command : {0.3, 0.1 + 0.2, 0.15, -0.04}) {
+    fed.step(command);
+    CHECK(fed.coil() == command);
+  }
+}
+
+TEST_CASE("each fault of a command or an input trips at its own step, with the safe value and its name") {
+  const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
+  const struct {
+    std::function<void(Fed&)> fault;
+    Cause cause;
+    const char* text;
+  } rows[] = {
+      {[&](Fed& fed) { fed.step(nan); }, Cause::not_finite, "output coil was to become nan"},
+      {[&](Fed& fed) { fed.step(-inf); }, Cause::not_finite, "output coil was to become -inf"},
+      {[](Fed& fed) { fed.step(1.001); }, Cause::beyond, "output coil was to become 1.001, which is out of"},
+      {[](Fed& fed) { fed.step(0.601); }, Cause::too_fast, "faster than its rate allows"},
+      {[&](Fed& fed) { fed.step(0.4, nan); }, Cause::input_bad, "input force became nan"},
+      {[](Fed& fed) { fed.step(0.4, 50.1); }, Cause::input_range, "input force is 50.1, out of its range"},
+      {[](Fed& fed) { fed.step(0.4, 11.1); }, Cause::input_jump, "input force jumped to 11.1"},
+  };
+  for (const auto& row : rows) {
+    Fed fed;
+    fed.step(0.3);
+    fed.step(0.4);
+    REQUIRE(fed.coil() == 0.4);
+    row.fault(fed);
+    CHECK(fed.coil() == 0.25);
+    CHECK(fed.watch.cause() == row.cause);
+    CHECK_THAT(fed.watch.text(), Contains(row.text));
+    fed.step(0.4);  // it is latched
+    CHECK(fed.coil() == 0.25);
+    CHECK(fed.watch.cause() == row.cause);
+  }
+}
+
+TEST_CASE("a loop that is silent for two periods trips the watch, and one that is not yet late does not") {
+  Fed fed;
+  fed.watch.waited(1'000 * ms);  // before the first command nothing is late
+  fed.step(0.4);
+  CHECK(fed.watch.next_check() == fed.now + 20 * ms);
+  fed.watch.waited(fed.now + 20 * ms);
+  CHECK(fed.coil() == 0.4);
+  fed.watch.waited(fed.now + 20 * ms + 1);
+  CHECK(fed.coil() == 0.25);
+  CHECK(fed.watch.cause() == Cause::late);
+  CHECK_THAT(fed.watch.text(), Contains("nothing for 20 ms; it may for 20 ms"));
+}
+
+TEST_CASE("a late command may have moved as far as its rate allows in the time that passed") {
+  Fed fed;
+  fed.step(0.25);
+  fed.now += 10 * ms;  // a step was dropped
+  fed.step(0.25 + 0.39);
+  CHECK_FALSE(fed.watch.tripped());
+}
+
+TEST_CASE("a sensor that does not change for its time is stuck") {
+  WatchLimits of = limits();
+  of.inputs[0].stuck = 30 * ms;
+  Fed fed(of);
+  for (int i = 0; i < 4; ++i) fed.step(0.3, 1.0);
+  CHECK_FALSE(fed.watch.tripped());
+  fed.step(0.3, 1.0);
+  CHECK(fed.watch.cause() == Cause::input_stuck);
+  Fed moves(of);
+  for (int i = 0; i < 20; ++i) moves.step(0.3, 1.0 + 0.001 * i);
+  CHECK_FALSE(moves.watch.tripped());
+}
+
+TEST_CASE("outputs follow the loop only while the dead-man input is held, and its release is final") {
+  WatchLimits of = limits();
+  of.dead_man = DeadMan{1, 0.5};
+  Fed fed(of);
+  fed.step(0.3);
+  CHECK(fed.coil() == 0.25);
+  fed.step(0.3, 1.0, 1.0);
+  CHECK(fed.coil() == 0.3);
+  fed.step(0.3, 1.0, 0.5);
+  CHECK(fed.coil() == 0.25);
+  CHECK(fed.watch.cause() == Cause::released);
+}
+
+TEST_CASE("a hand that closes lets the output leave its safe value no faster than its rate") {
+  WatchLimits of = limits();
+  of.dead_man = DeadMan{1, 0.5};
+  Fed fed(of);
+  for (int i = 0; i < 5; ++i) fed.step(0.25 + 0.15 * i);
+  CHECK(fed.coil() == 0.25);
+  fed.step(0.85, 1.0, 1.0);
+  CHECK(fed.coil() == Approx(0.45));
+  fed.step(0.85, 1.0, 1.0);
+  CHECK(fed.coil() == Approx(0.65));
+}
+
+TEST_CASE("the ramp leads from the safe value to the commands in a straight line") {
+  WatchLimits of = limits();
+  of.ramp = 40 * ms;
+  Fed fed(of);
+  for (int i = 0; i <= 5; ++i) {
+    fed.step(0.45);
+    CHECK(fed.coil() == Approx(0.25 + 0.2 * std::min(1.0, i / 4.0)));
+  }
+}
+
+TEST_CASE("energy is the integral of force and speed over a window of a second, in either direction") {
+  WatchLimits of = limits();
+  of.powers = {{"arm", {0}, {1}, false, 2.0}};
+  for (const double sign : {1.0, -1.0}) {
+    // A constant power P gives P (1 - exp(-t)) in the window: 5 W reach 2 J after -ln(0.6) s = 0.511 s.
+    Fed fed(of);
+    int steps = 0;
+    while (!fed.watch.tripped() && steps < 1000) {
+      fed.step(0.3, 5.0, sign);
+      ++steps;
+    }
+    CHECK(steps == Approx(52).margin(1));
+    CHECK(fed.watch.cause() == Cause::power);
+  }
+  Fed weak(of);
+  for (int i = 0; i < 2000; ++i) weak.step(0.3, 1.9, 1.0);
+  CHECK_FALSE(weak.watch.tripped());
+}
+
+TEST_CASE("a force over the change of a position is the same energy as over its speed") {
+  WatchLimits of = limits();
+  of.powers = {{"arm", {0}, {1, 0.001, 5.0}, true, 0.5}};  // a position in mm, with an offset that cancels
+  Fed fed(of);
+  int steps = 0;
+  while (!fed.watch.tripped() && steps < 1000) fed.step(0.3, 10.0, 5.0 * ++steps);  // 0.5 m/s at 10 N: 5 W
+  CHECK(steps == Approx(-std::log(0.9) / 0.01).margin(2));
+}
+
+TEST_CASE("between two parts of a loop the outputs rest at their safe values without a trip") {
+  Fed fed;
+  fed.step(0.4);
+  fed.watch.rest();
+  CHECK(fed.coil() == 0.25);
+  fed.watch.waited(fed.now + 1'000 * ms);
+  CHECK_FALSE(fed.watch.tripped());
+  fed.now += 1'000 * ms;
+  fed.step(0.4);
+  CHECK(fed.coil() == 0.4);
+}
+
+}  // namespace stepwire::guard
