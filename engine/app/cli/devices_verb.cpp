@@ -13,7 +13,7 @@ namespace {
 void show_driver(const stepwire_driver& driver, const std::string& file) {
   say("{}: {}{}\n  {}\n", driver.name, driver.doc, driver.wait ? "; may be the clock" : "", file);
   for (const stepwire_known_setting* one = driver.settings; one->key; ++one)
-    say("    {:<12}{}{}\n", one->key, one->doc,
+    say("    {:<15} {}{}\n", one->key, one->doc,
         !one->otherwise   ? "; required"
         : *one->otherwise ? fmt::format("; {} by default", one->otherwise)
                           : "");

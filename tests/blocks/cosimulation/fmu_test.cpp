@@ -16,8 +16,8 @@ using namespace stepwire;
 namespace {
 
 /// A diagram of one unit.
-std::string diagram(const Scratch& scratch, const std::string& kind, const std::string& keys,
-                    const std::string& head) {
+std::string unit_diagram(const Scratch& scratch, const std::string& kind, const std::string& keys,
+                         const std::string& head) {
   const std::string path = testing::write_zip(scratch.path(kind + ".fmu"), testing::unit_of_3(kind));
   return fmt::format("{}\nblocks:\n  unit: {{block: Fmu, file: {}{}}}\n", head, path, keys);
 }
@@ -49,7 +49,8 @@ void require_reference(const table::Table& run, const std::string& name, const s
 
 TEST_CASE("co-simulation of Dahlquist meets the trajectory of the FMI project") {
   const Scratch scratch;
-  const auto run = run_text(diagram(scratch, "dahlquist", "", "step: 0.1 s\nstop: 10 s") + "record: [unit.x]\n");
+  const auto run =
+      run_text(unit_diagram(scratch, "dahlquist", "", "step: 0.1 s\nstop: 10 s") + "record: [unit.x]\n");
   CHECK(column(run, "unit.x")[1] == 0.9);
   require_reference(run, "Dahlquist", "unit.x", "x");
 }
@@ -57,7 +58,7 @@ TEST_CASE("co-simulation of Dahlquist meets the trajectory of the FMI project") 
 TEST_CASE("co-simulation of the bouncing ball meets the trajectory of the FMI project") {
   const Scratch scratch;
   const auto run =
-      run_text(diagram(scratch, "ball", "", "step: 10 ms\nstop: 3 s") + "record: [unit.h, unit.v]\n");
+      run_text(unit_diagram(scratch, "ball", "", "step: 10 ms\nstop: 3 s") + "record: [unit.h, unit.v]\n");
   require_reference(run, "BouncingBall", "unit.h", "h");
   require_reference(run, "BouncingBall", "unit.v", "v");
 }
@@ -65,33 +66,35 @@ TEST_CASE("co-simulation of the bouncing ball meets the trajectory of the FMI pr
 TEST_CASE("a unit in a process of its own has the same bits") {
   const Scratch scratch;
   const std::string head = "step: 10 ms\nstop: 3 s";
-  const auto inside = run_text(diagram(scratch, "ball", ", isolate: false", head) + "record: [unit.h]\n");
-  const auto isolated = run_text(diagram(scratch, "ball", ", isolate: true", head) + "record: [unit.h]\n");
+  const auto inside =
+      run_text(unit_diagram(scratch, "ball", ", isolate: false", head) + "record: [unit.h]\n");
+  const auto isolated =
+      run_text(unit_diagram(scratch, "ball", ", isolate: true", head) + "record: [unit.h]\n");
   CHECK(column(inside, "unit.h") == column(isolated, "unit.h"));
 }
 
 TEST_CASE("states of model exchange are integrated by the solver of the diagram") {
   const Scratch scratch;
-  const auto run = run_text(diagram(scratch, "dahlquist", ", interface: model_exchange, parameters: {k: 2 1/s}",
-                                    "step: 10 ms\nstop: 1 s\nsolver: rk4") +
-                            "record: [unit.x]\n");
+  const auto run =
+      run_text(unit_diagram(scratch, "dahlquist", ", interface: model_exchange, parameters: {k: 2 1/s}",
+                            "step: 10 ms\nstop: 1 s\nsolver: rk4") +
+               "record: [unit.x]\n");
   CHECK(column(run, "unit.x").back() == Approx(std::exp(-2.0)).epsilon(1e-8));
 }
 
 TEST_CASE("explicit Euler of model exchange has the bits of the unit's own Euler") {
   const Scratch scratch;
-  const auto run = run_text(diagram(scratch, "dahlquist", ", interface: model_exchange",
-                                    "step: 0.1 s\nstop: 10 s\nsolver: euler") +
+  const auto run = run_text(unit_diagram(scratch, "dahlquist", ", interface: model_exchange",
+                                         "step: 0.1 s\nstop: 10 s\nsolver: euler") +
                             "record: [unit.x]\n");
   require_reference(run, "Dahlquist", "unit.x", "x");
 }
 
 TEST_CASE("an event of model exchange is located: a ball bounces where its fall ends") {
   const Scratch scratch;
-  const auto run =
-      run_text(diagram(scratch, "ball", ", interface: model_exchange, parameters: {e: 0.8}",
-                       "step: 10 ms\nstop: 0.6 s\nsolver: rk4\nevents: locate") +
-               "record: [unit.h, unit.v]\n");
+  const auto run = run_text(unit_diagram(scratch, "ball", ", interface: model_exchange, parameters: {e: 0.8}",
+                                         "step: 10 ms\nstop: 0.6 s\nsolver: rk4\nevents: locate") +
+                            "record: [unit.h, unit.v]\n");
   const double fall = std::sqrt(2.0 / 9.81), after = 0.6 - fall, up = 0.8 * 9.81 * fall;
   CHECK(column(run, "unit.h").back() == Approx(up * after - 0.5 * 9.81 * after * after).epsilon(1e-6));
   CHECK(column(run, "unit.v").back() == Approx(up - 9.81 * after).epsilon(1e-6));
@@ -99,8 +102,8 @@ TEST_CASE("an event of model exchange is located: a ball bounces where its fall 
 
 TEST_CASE("time events of model exchange come at their time") {
   const Scratch scratch;
-  const auto run = run_text(diagram(scratch, "stair", ", interface: model_exchange",
-                                    "step: 50 ms\nstop: 2.4 s\nsolver: rk4\nevents: locate") +
+  const auto run = run_text(unit_diagram(scratch, "stair", ", interface: model_exchange",
+                                         "step: 50 ms\nstop: 2.4 s\nsolver: rk4\nevents: locate") +
                             "record: [unit.counter]\n");
   const auto& counter = column(run, "unit.counter");
   CHECK(counter[19] == 1.0);
@@ -108,11 +111,12 @@ TEST_CASE("time events of model exchange come at their time") {
   CHECK(counter[41] == 3.0);
 }
 
-TEST_CASE("a time event of model exchange on a tick is in the row of the tick, as in the published reference") {
+TEST_CASE(
+    "a time event of model exchange on a tick is in the row of the tick, as in the published reference") {
   const Scratch scratch;
   for (const std::string events : {"", "\nevents: locate"}) {
-    const auto run = run_text(diagram(scratch, "stair", ", interface: model_exchange",
-                                      "step: 0.2 s\nstop: 2.4 s\nsolver: rk4" + events) +
+    const auto run = run_text(unit_diagram(scratch, "stair", ", interface: model_exchange",
+                                           "step: 0.2 s\nstop: 2.4 s\nsolver: rk4" + events) +
                               "  x: {block: Integrator, u: unit.counter}\nrecord: [unit.counter, x]\n");
     const auto& counter = column(run, "unit.counter");
     CHECK(counter[4] == 1.0);
@@ -125,8 +129,8 @@ TEST_CASE("a time event of model exchange on a tick is in the row of the tick, a
 
 TEST_CASE("a time event of a unit without states is located between ticks, beside blocks that read it") {
   const Scratch scratch;
-  const auto run = run_text(diagram(scratch, "stair", ", interface: model_exchange",
-                                    "step: 300 ms\nstop: 2.4 s\nsolver: rk4\nevents: locate") +
+  const auto run = run_text(unit_diagram(scratch, "stair", ", interface: model_exchange",
+                                         "step: 300 ms\nstop: 2.4 s\nsolver: rk4\nevents: locate") +
                             "  x: {block: Integrator, u: unit.counter}\nrecord: [unit.counter, x]\n");
   CHECK(column(run, "unit.counter")[3] == 1.0);  // at 0.9 s
   CHECK(column(run, "unit.counter")[4] == 2.0);
@@ -136,10 +140,10 @@ TEST_CASE("a time event of a unit without states is located between ticks, besid
 TEST_CASE("a unit hands over every type of number") {
   const Scratch scratch;
   std::string keys;
-  for (const char* type : {"Float64", "Float32", "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Int64",
-                           "UInt64", "Boolean"})
+  for (const char* type : {"Float64", "Float32", "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32",
+                           "Int64", "UInt64", "Boolean"})
     keys += fmt::format(", {}_input: source", type);
-  const auto run = run_text(diagram(scratch, "feedthrough", keys, "step: 0.1 s\nstop: 1 s") +
+  const auto run = run_text(unit_diagram(scratch, "feedthrough", keys, "step: 0.1 s\nstop: 1 s") +
                             "  source: {block: Constant, value: 300.4}\nrecord: all\n");
   CHECK(column(run, "unit.Float64_output").back() == 300.4);
   CHECK(column(run, "unit.Float32_output").back() == static_cast<double>(300.4f));
@@ -151,7 +155,8 @@ TEST_CASE("a unit hands over every type of number") {
 
 TEST_CASE("numbers of a unit become SI by its factors") {
   const Scratch scratch;
-  const auto run = run_text(diagram(scratch, "dahlquist", "", "step: 0.1 s\nstop: 0.1 s") + "record: [unit.shown_mm]\n");
+  const auto run = run_text(unit_diagram(scratch, "dahlquist", "", "step: 0.1 s\nstop: 0.1 s") +
+                            "record: [unit.shown_mm]\n");
   CHECK(column(run, "unit.shown_mm")[0] == 0.001);
 }
 
@@ -159,7 +164,7 @@ TEST_CASE("a fault of a unit ends the run with the block's name and the unit's m
   const Scratch scratch;
   for (const char* isolate : {", isolate: false", ", isolate: true"}) {
     const std::string error =
-        error_of(diagram(scratch, "fails", isolate, "step: 0.1 s\nstop: 1 s") + "record: [unit.y]\n");
+        error_of(unit_diagram(scratch, "fails", isolate, "step: 0.1 s\nstop: 1 s") + "record: [unit.y]\n");
     INFO(error);
     CHECK(error.find("unit") != error.npos);
     CHECK(error.find("the spring has broken") != error.npos);
@@ -169,7 +174,7 @@ TEST_CASE("a fault of a unit ends the run with the block's name and the unit's m
 TEST_CASE("a unit that crashes in its own process is a fault of the block") {
   const Scratch scratch;
   const std::string error =
-      error_of(diagram(scratch, "crashes", "", "step: 0.1 s\nstop: 1 s") + "record: [unit.y]\n");
+      error_of(unit_diagram(scratch, "crashes", "", "step: 0.1 s\nstop: 1 s") + "record: [unit.y]\n");
   INFO(error);
   CHECK(error.find("its process in fmi3DoStep was ended by signal 11") != error.npos);
 }
@@ -177,8 +182,9 @@ TEST_CASE("a unit that crashes in its own process is a fault of the block") {
 TEST_CASE("parameters of a unit are held to its names, limits and units") {
   const Scratch scratch;
   const auto refused = [&](const std::string& parameters) {
-    return error_of(diagram(scratch, "dahlquist", ", parameters: {" + parameters + "}", "step: 0.1 s\nstop: 1 s") +
-                    "record: [unit.x]\n");
+    return error_of(
+        unit_diagram(scratch, "dahlquist", ", parameters: {" + parameters + "}", "step: 0.1 s\nstop: 1 s") +
+        "record: [unit.x]\n");
   };
   CHECK(refused("kk: 2").find("did you mean 'k'?") != std::string::npos);
   CHECK(refused("k: -1").find("'k' must be at least 0") != std::string::npos);
