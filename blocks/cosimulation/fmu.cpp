@@ -170,23 +170,23 @@ bool ContinuousFmu::at_present(fmi::Operation operation) const {
   fmi::Exchange& exchange = unit.exchange();
   const bool acts = operation == fmi::Operation::act && reached(t, unit_event);
   exchange.time = acts ? std::max<double>(t, unit_event) : t;  // of two roundings of one time the later one
-  std::copy_n(early_at == t ? early_states.data() : unit_states.data(), unit_states.size(),
+  std::copy_n(unit.early_at == t ? unit.early_states.data() : unit_states.data(), unit_states.size(),
               exchange.states());
   return self.unit.run(operation);
 }
 
 // An event of time at a tick belongs to the tick: its row has the outputs after it.
 void ContinuousFmu::outputs_at_instant() {
-  if (follow()) early_at = -1.0;
-  if (early_at != t && reached(t, unit_event)) act_early();
+  if (follow()) unit.early_at = -1.0;
+  if (unit.early_at != t && reached(t, unit_event)) act_early();
   outputs();
 }
 
 /// Handles an event before the outputs are computed. update() stores the states.
 void ContinuousFmu::act_early() {
   if (!at_present(fmi::Operation::act)) return;
-  early_states.assign(unit.exchange().states(), unit.exchange().states() + unit_states.size());
-  early_at = t;
+  unit.early_states.assign(unit.exchange().states(), unit.exchange().states() + unit_states.size());
+  unit.early_at = t;
 }
 
 void ContinuousFmu::outputs() {
@@ -205,18 +205,18 @@ void ContinuousFmu::derivatives() {
 void ContinuousFmu::update() {
   follow();
   if (at_present(fmi::Operation::act)) {
-    if (unit.exchange().changed || early_at == t)
+    if (unit.exchange().changed || unit.early_at == t)
       std::copy_n(unit.exchange().states(), unit_states.size(), unit_states.data());
     unit_event = unit.exchange().next;
   }
-  early_at = -1.0;
+  unit.early_at = -1.0;
   if (has_ended()) unit_over.raise(t);
   settle();
 }
 
 /// Acts once for the inputs of an instant.
 void ContinuousFmu::update_at_event() {
-  const bool ended_before = has_ended() && early_at != t;
+  const bool ended_before = has_ended() && unit.early_at != t;
   if (!unit.works() || ended_before) return;
   hand_over();
   const double* const inputs = unit.exchange().inputs();

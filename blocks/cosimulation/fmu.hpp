@@ -83,11 +83,6 @@ struct ContinuousFmu : Fmu {
  private:
   bool at_present(fmi::Operation operation) const;
   void act_early();
-
-  /// States of the unit after an event of time that outputs_at_instant() has handled and update() has not
-  /// stored; `early_at` is its time, below 0 without one.
-  std::vector<double> early_states{};
-  double early_at = -1.0;
 };
 
 }  // namespace stepwire

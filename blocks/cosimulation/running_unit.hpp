@@ -41,6 +41,10 @@ class RunningUnit {
   std::vector<double> last_kept;  ///< state after the last change
   double acted_at = -1.0;         ///< time of its last event [s]
   std::vector<double> acted_on;   ///< inputs at that event
+  /// States after an event of time that was handled before the outputs of a tick, and that no update has
+  /// stored; `early_at` is its time [s], below 0 without one.
+  std::vector<double> early_states;
+  double early_at = -1.0;
 
  private:
   fmi::Setup setup_;

@@ -62,7 +62,11 @@ bool McpServer::answer_ping(const std::string& message) {
 }
 
 void McpServer::post(std::string message) {
-  if (answer_ping(message)) return;
+  const auto is_calling = [&] {
+    const std::scoped_lock lock(mutex_);
+    return calls_;
+  };
+  if (is_calling() && answer_ping(message)) return;
   const std::string id = language::cancelled_id(message, "notifications/cancelled", "requestId");
   const std::scoped_lock lock(mutex_);
   if (id.empty()) {
@@ -127,18 +131,19 @@ std::optional<Json> McpServer::answer_of(const Json& message) {
   return answer_request(*id, *method->as_text(), params ? *params : Json::object());
 }
 
-bool McpServer::begin(const std::string& id) {
+bool McpServer::begin(const std::string& id, const std::string& method) {
   const std::scoped_lock lock(mutex_);
   const auto found = std::ranges::find(cancelled_, id);
   const bool cancelled = found != cancelled_.end();
   if (cancelled) cancelled_.erase(found);
   present_ = id;
+  calls_ = method == "tools/call";
   stop_ = std::stop_source();
   return !cancelled;
 }
 
 std::optional<Json> McpServer::answer_request(const Json& id, const std::string& method, const Json& params) {
-  if (!begin(id.text(-1))) return std::nullopt;
+  if (!begin(id.text(-1), method)) return std::nullopt;
   Json message;
   try {
     const auto known = requests().find(method);
@@ -155,6 +160,7 @@ std::optional<Json> McpServer::answer_request(const Json& id, const std::string&
   }
   const std::scoped_lock lock(mutex_);
   present_.clear();
+  calls_ = false;
   if (stop_.stop_requested()) return std::nullopt;  // a cancelled request has no answer
   return message;
 }

@@ -26,8 +26,8 @@ class McpServer {
 
   McpServer(std::vector<Tool> tools, Host host, std::string version, Send send);
 
-  /// Queues a message. Thread-safe. A ping is answered and a notification that cancels a request takes effect
-  /// at once, also beside a long call.
+  /// Queues a message. Thread-safe. A notification that cancels a request takes effect at once, and a ping is
+  /// answered at once beside a call of a tool.
   void post(std::string message);
   /// Ends run() after the queued messages. Thread-safe.
   void close();
@@ -45,7 +45,7 @@ class McpServer {
   std::optional<json::Json> answer_request(const json::Json& id, const std::string& method,
                                            const json::Json& params);
   /// Makes a request the present one; false if it is already cancelled.
-  bool begin(const std::string& id);
+  bool begin(const std::string& id, const std::string& method);
 
   json::Json initialize(const json::Json& params);
   json::Json ping(const json::Json& params);
@@ -68,6 +68,7 @@ class McpServer {
   std::deque<std::string> cancelled_;  ///< ids of waiting requests, as JSON text
   std::string present_;                ///< id of the request that is being answered, as JSON text
   std::stop_source stop_;              ///< of that request
+  bool calls_ = false;                 ///< it calls a tool
   bool closed_ = false;
 };
 

@@ -280,7 +280,7 @@ std::optional<BaselineTimes> baseline_of(const LoopOutcome& of) {
   return of.baseline ? std::optional(BaselineTimes{*of.baseline}) : std::nullopt;
 }
 
-void add_measurements(Record<LoopOutcome>& is) {
+void add_times(Record<LoopOutcome>& is) {
   using realtime::Measurements;
   is.field("algebraic_loops", algebraic_loops_of, "costs of algebraic loops");
   is.field(
@@ -289,8 +289,12 @@ void add_measurements(Record<LoopOutcome>& is) {
   is.field("wake_up", times(&Measurements::wake_up), "delay of the wake-ups");
   is.field("response", times(&Measurements::response), "time until outputs are written");
   is.field("step", times(&Measurements::step), "time of a step");
-  is.field("read", times(&Measurements::reading), "time in which the devices were read");
-  is.field("write", times(&Measurements::writing), "time in which the devices were written");
+  is.field("device_read", times(&Measurements::reading), "time in which the devices were read");
+  is.field("device_write", times(&Measurements::writing), "time in which the devices were written");
+}
+
+void add_measurements(Record<LoopOutcome>& is) {
+  add_times(is);
   is.field("devices", &LoopOutcome::device_lines,
            "counts of the devices, and outputs that limits have changed");
   is.field("worst", worst_of, "longest times over the run");

@@ -290,6 +290,21 @@ std::optional<WrittenValue> ValueReader::read_text(const yaml::Node& node, const
   return filled ? std::optional(WrittenValue{{*filled}, {}, *filled}) : std::nullopt;
 }
 
+/// Returns the numbers of a list; its texts where one of them is a word.
+static Value list_of(const std::vector<WrittenValue>& elements, const std::vector<yaml::Node>& items) {
+  Value list{Eigen::VectorXd(static_cast<Eigen::Index>(elements.size()))};
+  Value::List texts;
+  bool numbers = true;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const double* number = std::get_if<double>(&elements[i].value.content);
+    numbers = numbers && number;
+    if (number) std::get<Eigen::VectorXd>(list.content)[static_cast<Eigen::Index>(i)] = *number;
+    texts.push_back({items[i].text, items[i].mark.line, items[i].mark.column});
+  }
+  if (!numbers) list.content = std::move(texts);
+  return list;
+}
+
 std::optional<WrittenValue> ValueReader::read_list(const yaml::Node& node, const std::string& subject) const {
   if (!node.items.empty() && node.items.front().is_list()) return read_rows(node, subject);
   std::vector<WrittenValue> elements;
@@ -299,21 +314,10 @@ std::optional<WrittenValue> ValueReader::read_list(const yaml::Node& node, const
     if (!element) return std::nullopt;
     elements.push_back(std::move(*element));
   }
-  const auto size = static_cast<Eigen::Index>(elements.size());
-  Value list{Eigen::VectorXd(size)};
-  UnitsOfElements units(size);
-  Value::List texts;
-  bool numbers = true;
-  for (Eigen::Index i = 0; i < size; ++i) {
-    const auto& [element, item] =
-        std::tie(elements[static_cast<std::size_t>(i)], node.items[static_cast<std::size_t>(i)]);
-    const double* number = std::get_if<double>(&element.value.content);
-    numbers = numbers && number;
-    if (number) std::get<Eigen::VectorXd>(list.content)[i] = *number;
-    units.set(i, element, item, parameters_);
-    texts.push_back({item.text, item.mark.line, item.mark.column});
-  }
-  if (!numbers) list.content = std::move(texts);
+  Value list = list_of(elements, node.items);
+  UnitsOfElements units(static_cast<Eigen::Index>(elements.size()));
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    units.set(static_cast<Eigen::Index>(i), elements[i], node.items[i], parameters_);
   if (auto fault = units.bare_fault()) return refuse(*fault->first, subject, std::move(fault->second));
   if (units.mixes_temperatures()) return refuse(node, subject, no_mixed_temperatures);
   return std::move(units).written(std::move(list), "the list");

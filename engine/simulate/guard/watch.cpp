@@ -134,39 +134,54 @@ void Watch::rest() noexcept {
   hold_safe();
 }
 
-std::string Watch::text() const {
-  const auto input = [&] { return limits_.inputs[channel_].name; };
-  const auto output = [&] { return limits_.outputs[channel_].name; };
+/// Returns the reason of a trip by an output; "" for another cause.
+std::string Watch::text_of_output() const {
+  const std::string name = channel_ < limits_.outputs.size() ? limits_.outputs[channel_].name : "";
   switch (cause_) {
-    case Cause::none:
+    case Cause::not_finite:
+      return fmt::format("output {} was to become {}", name, value_);
+    case Cause::beyond:
+      return fmt::format("output {} was to become {:.6g}, which is out of its limits", name, value_);
+    case Cause::too_fast:
+      return fmt::format("output {} was to become {:.6g}, faster than its rate allows", name, value_);
+    default:
       return "";
+  }
+}
+
+/// Returns the reason of a trip by an input; "" for another cause.
+std::string Watch::text_of_input() const {
+  const std::string name = channel_ < limits_.inputs.size() ? limits_.inputs[channel_].name : "";
+  switch (cause_) {
+    case Cause::input_bad:
+      return fmt::format("input {} became {}", name, value_);
+    case Cause::input_range:
+      return fmt::format("input {} is {:.6g}, out of its range", name, value_);
+    case Cause::input_jump:
+      return fmt::format("input {} jumped to {:.6g}, faster than its rate allows", name, value_);
+    case Cause::input_stuck:
+      return fmt::format("input {} has not changed from {:.6g}; it is stuck", name, value_);
+    case Cause::released:
+      return fmt::format("the dead-man input {} was released", name);
+    default:
+      return "";
+  }
+}
+
+std::string Watch::text() const {
+  switch (cause_) {
     case Cause::late:
       return fmt::format("the loop has written nothing for {:.4g} ms; it may for {:.4g} ms", 1e3 * value_,
                          1e3 * seconds_of(limits_.late));
-    case Cause::not_finite:
-      return fmt::format("output {} was to become {}", output(), value_);
-    case Cause::beyond:
-      return fmt::format("output {} was to become {:.6g}, which is out of its limits", output(), value_);
-    case Cause::too_fast:
-      return fmt::format("output {} was to become {:.6g}, faster than its rate allows", output(), value_);
-    case Cause::input_bad:
-      return fmt::format("input {} became {}", input(), value_);
-    case Cause::input_range:
-      return fmt::format("input {} is {:.6g}, out of its range", input(), value_);
-    case Cause::input_jump:
-      return fmt::format("input {} jumped to {:.6g}, faster than its rate allows", input(), value_);
-    case Cause::input_stuck:
-      return fmt::format("input {} has not changed from {:.6g}; it is stuck", input(), value_);
     case Cause::power:
       return fmt::format("the power {} was {:.4g} J in a second", limits_.powers[channel_].name, value_);
-    case Cause::released:
-      return fmt::format("the dead-man input {} was released", input());
     case Cause::stale:
       return "the device has no new values";
     case Cause::device:
       return "the device does not answer";
+    default:
+      return text_of_output() + text_of_input();
   }
-  return "";
 }
 
 }  // namespace stepwire::guard

@@ -113,6 +113,8 @@ class Watch {
   bool accepts(std::size_t i, double value, double seconds) noexcept;
   double ramp_share(std::int64_t now) const noexcept;
   void hold_safe() noexcept;
+  std::string text_of_output() const;
+  std::string text_of_input() const;
 
   WatchLimits limits_;
   std::vector<double> safe_, outputs_, commands_, inputs_, energies_;

@@ -13,6 +13,29 @@ namespace stepwire::realtime {
 
 namespace {
 
+using namespace std::string_view_literals;
+/// Options of the kernel that change when a thread runs.
+constexpr std::array timing_keys{"isolcpus"sv,
+                                 "nohz"sv,
+                                 "nohz_full"sv,
+                                 "rcu_nocbs"sv,
+                                 "rcu_nocb_poll"sv,
+                                 "mitigations"sv,
+                                 "preempt"sv,
+                                 "threadirqs"sv,
+                                 "irqaffinity"sv,
+                                 "idle"sv,
+                                 "intel_idle.max_cstate"sv,
+                                 "processor.max_cstate"sv,
+                                 "intel_pstate"sv,
+                                 "cpuidle.off"sv,
+                                 "nosmt"sv,
+                                 "clocksource"sv,
+                                 "tsc"sv,
+                                 "nowatchdog"sv,
+                                 "skew_tick"sv,
+                                 "kthread_cpus"sv};
+
 std::string first_line(const std::string& path) {
   std::ifstream file(path);
   std::string line;
@@ -34,31 +57,10 @@ std::string of_processor(const std::string& key) {
 }  // namespace
 
 std::string timing_words(const std::string& line) {
-  using namespace std::string_view_literals;
-  static constexpr std::array keys{"isolcpus"sv,
-                                   "nohz"sv,
-                                   "nohz_full"sv,
-                                   "rcu_nocbs"sv,
-                                   "rcu_nocb_poll"sv,
-                                   "mitigations"sv,
-                                   "preempt"sv,
-                                   "threadirqs"sv,
-                                   "irqaffinity"sv,
-                                   "idle"sv,
-                                   "intel_idle.max_cstate"sv,
-                                   "processor.max_cstate"sv,
-                                   "intel_pstate"sv,
-                                   "cpuidle.off"sv,
-                                   "nosmt"sv,
-                                   "clocksource"sv,
-                                   "tsc"sv,
-                                   "nowatchdog"sv,
-                                   "skew_tick"sv,
-                                   "kthread_cpus"sv};
   std::istringstream words(line);
   std::string found;
   for (std::string word; words >> word;)
-    if (std::ranges::find(keys, std::string_view(word).substr(0, word.find('='))) != keys.end())
+    if (std::ranges::find(timing_keys, std::string_view(word).substr(0, word.find('='))) != timing_keys.end())
       found += (found.empty() ? "" : " ") + word;
   return found;
 }

@@ -57,8 +57,8 @@ TEST_CASE("a loop reads and writes the devices of its rig, ends at the safe valu
     CHECK(drive[i + 1] == Approx(0.8 * (i < 5 ? 1.0 : i < 10 ? 2.0 : 3.0)));
   const auto report = nlohmann::json::parse(content_of(folder.path("out/loop.json")));
   CHECK(report["end"] == "done");
-  CHECK(report["read"]["count"] == 20);
-  CHECK(report["write"]["count"] == 20);
+  CHECK(report["device_read"]["count"] == 20);
+  CHECK(report["device_write"]["count"] == 20);
   CHECK(report["devices"].size() == 1);
   CHECK(run_program(folder, {"verify", "out"}).code == 0);
 }
@@ -116,6 +116,7 @@ struct Pair {
 title: A slide that is driven at a speed
 step: 10 ms
 stop: 1 s
+solver: euler
 inputs: {speed: {unit: m/s, default: 0 m/s}}
 outputs: {place: {signal: slide, safe: 0 m}}
 blocks: {slide: {block: Integrator, u: speed}}
