@@ -145,7 +145,7 @@ int main(int count, char** arguments) {
     std::vector<double> times;
     for (int i = 0; i < std::atoi(arguments[3]); ++i) {
       Host host(name);
-      const pid_t loop = start(arguments[1], folder, arguments[2]);
+      const pid_t loop = start(std::filesystem::absolute(arguments[1]), folder, arguments[2]);
       if (std::isinf(host.until(wanted))) fmt::print(stderr, "{}: a loop has not begun\n", fault.name);
       fault.inject(host, loop);
       times.push_back(host.until(safe));
