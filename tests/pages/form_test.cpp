@@ -72,7 +72,7 @@ TEST_CASE("every page is reached from the first one") {
 
 TEST_CASE("every block of code names its language, so that it is checked as such") {
   const std::set<std::string> known{"sh", "console", "yaml", "csv",  "json",  "cpp",
-                                    "c",  "cmake",   "lua",  "toml", "elisp", "js", "python"};
+                                    "c",  "cmake",   "lua",  "toml", "elisp", "js", "python", "text"};
   for (const Page& page : all_pages()) {
     for (const Fence& fence : page.fences) {
       INFO(fence.first.place());
