@@ -35,7 +35,7 @@ test("the history of a run has the values that it began with and those that were
   assert.deepEqual(pinned.historyOf(all, [], 0.001), ["mass 2 kg", "way 10 mm"]);
   assert.deepEqual(pinned.historyOf(all, [{tick: 700, name: "mass", text: "3.792"}], 0.001), ["mass 2 kg, then 3.792 kg at 0.7 s", "way 10 mm"]);
   assert.deepEqual(pinned.historyOf(all, [{tick: -1, name: "way", text: "0.02"}, {tick: 500, name: "way", text: "0.03"}, {tick: 600, name: "way", text: "0.04"}, {tick: 2000, name: "way", text: "5 mm"}], 0.001),
-    ["way 20 mm, then moved to 40 mm from 0.5 s to 0.6 s, then 5 mm at 2 s", "mass 2 kg"]);
+    ["way 20 mm, then 30 mm at 0.5 s, then 40 mm at 0.6 s, then 5 mm at 2 s", "mass 2 kg"]);
   assert.deepEqual(pinned.historyOf(all, [{tick: 3, name: "spring.gain", text: "7"}, {tick: 9, name: "push", values: [1]}], 0.001, 1), ["spring.gain 5 N, then 7 kg at 0.003 s", "moved by hand: push"]);
 });
 
