@@ -1,5 +1,4 @@
 // Driver for cards of Comedi: converters, digital lines and counters of encoders.
-#include <glob.h>
 
 #include <algorithm>
 #include <cmath>
@@ -157,7 +156,7 @@ class ComediDevice {
     (is_input ? in_ : out_).push_back(wire);
   }
 
-  /// Chooses the smallest range in volt that has the wanted one in it; an output has the largest one else.
+  /// Chooses the smallest range in volt around the wanted span. An output has the largest one without it.
   void choose_range(Wire& wire, const std::string& name) const {
     const int count = card_.calls.ranges(card_.device, wire.subdevice, wire.channel);
     for (unsigned int i = 0; static_cast<int>(i) < count; ++i) {
@@ -243,13 +242,7 @@ constexpr stepwire_known_setting settings[] = {
     {nullptr, nullptr, nullptr}};
 
 void list(char* text, std::size_t size) {
-  glob_t found{};
-  std::size_t used = 0;
-  if (::glob("/dev/comedi[0-9]*", 0, nullptr, &found) == 0)
-    for (std::size_t i = 0; i < found.gl_pathc && used < size; ++i)
-      used +=
-          static_cast<std::size_t>(std::snprintf(text + used, size - used, "    %s\n", found.gl_pathv[i]));
-  ::globfree(&found);
+  stepwire::support::list_files("/dev/comedi[0-9]*", text, size);
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
-// Driver for numbers over a serial line. A frame is little-endian: the bytes A5 5A, the number of values, a
-// sequence number (one byte each), the values as floats or doubles, and a CRC-16 (polynomial 1021, begin
-// FFFF) of all but the first two bytes.
+// Driver for numbers over a serial line. A frame is little-endian. It begins with the bytes A5 5A. Then come
+// the number of values and a sequence number, one byte each, and the values as floats or doubles. Its end is
+// a CRC-16 (polynomial 1021, begin FFFF) of all but the first two bytes.
 #include <fcntl.h>
-#include <glob.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -195,15 +194,9 @@ constexpr stepwire_known_setting settings[] = {
     {"stale", "age from which values are stale", "100 ms"},
     {nullptr, nullptr, nullptr}};
 
-/// Lists the lines by their names, which tell what is plugged in.
+/// Lists the lines by the names of their devices.
 void list(char* text, std::size_t size) {
-  glob_t found{};
-  std::size_t used = 0;
-  if (::glob("/dev/serial/by-id/*", 0, nullptr, &found) == 0)
-    for (std::size_t i = 0; i < found.gl_pathc && used < size; ++i)
-      used +=
-          static_cast<std::size_t>(std::snprintf(text + used, size - used, "    %s\n", found.gl_pathv[i]));
-  ::globfree(&found);
+  stepwire::support::list_files("/dev/serial/by-id/*", text, size);
 }
 
 }  // namespace

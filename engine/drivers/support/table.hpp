@@ -1,11 +1,24 @@
 #pragma once
 
+#include <glob.h>
+
 #include <cstdio>
 #include <exception>
 
 #include "engine/drivers/support/settings.hpp"
 
 namespace stepwire::support {
+
+/// Writes the files of a pattern into a text of a size, one line each.
+inline void list_files(const char* pattern, char* text, std::size_t size) {
+  glob_t found{};
+  std::size_t used = 0;
+  if (::glob(pattern, 0, nullptr, &found) == 0)
+    for (std::size_t i = 0; i < found.gl_pathc && used < size; ++i)
+      used +=
+          static_cast<std::size_t>(std::snprintf(text + used, size - used, "    %s\n", found.gl_pathv[i]));
+  ::globfree(&found);
+}
 
 /// Functions of driver.h for a class of devices. Its constructor takes Settings and may throw; start() may
 /// throw; read(), write(), safe(), stop() and report() do not. A class with wait() is a clock.

@@ -69,7 +69,7 @@ std::vector<std::string> WiredDevice::limited() const {
 }
 
 /// Waits for the next sample. Samples that have passed before make the loop late by their number of periods.
-/// A device without samples lets the loop go on, where reading it fails.
+/// Without a sample the loop goes on after the limit, and its next read fails.
 void DeviceClock::sleep_until(std::int64_t deadline) {
   constexpr std::int64_t limit = 1'000'000'000;
   const int samples = device_.wait(std::max(limit, 2 * period_));

@@ -126,7 +126,7 @@ class Wirer {
     return parsed;
   }
 
-  /// Returns a number in SI. `wanted` is its dimension; a bare number other than 0 needs one of 1.
+  /// Returns a number in SI. A bare number other than 0 is refused where `wanted` has a unit.
   double si(const std::optional<PlacedNumber>& number, double otherwise,
             const std::optional<Dimension>& wanted, const std::string& subject) {
     if (!number) return otherwise;

@@ -17,7 +17,7 @@ namespace stepwire::guard {
 
 namespace {
 
-/// Asks for the scheduling of a guard, as far as the system allows.
+/// Sets real-time scheduling and locks memory. What the system refuses is left out.
 void become_prompt(int priority) {
   ::mlockall(MCL_CURRENT | MCL_FUTURE);
   ::prctl(PR_SET_TIMERSLACK, 1);

@@ -28,7 +28,7 @@ class RunningGuard {
   std::string finish();
   /// Returns why the guard ended the use of the devices; "" if it has not.
   std::string trouble() const;
-  /// True where the guard has ended or does not turn any more: then nobody watches the devices.
+  /// True once the guard has ended or its turns have stopped; the devices are then without a guard.
   bool is_gone() const { return gone_; }
   pid_t process() const { return process_; }
 

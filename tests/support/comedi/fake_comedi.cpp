@@ -1,6 +1,6 @@
-// Library with the functions of libcomedi that the driver calls, over a card in memory: an s626, as far as
-// its manual and kernel driver tell. 16 inputs of 16 bits, +-5 and +-10 V; 4 outputs of 14 bits, +-10 V; 48
-// lines; 6 counters of 24 bits.
+// Library with the functions of libcomedi for the driver under test. Its card is in memory and follows the
+// kernel driver of the s626. It has 16 inputs of 16 bits, +-5 and +-10 V, and 4 outputs of 14 bits, +-10 V.
+// It has 48 lines and 6 counters of 24 bits, too.
 #include "tests/support/comedi/fake_comedi.hpp"
 
 #include <algorithm>

@@ -15,7 +15,7 @@ using stepwire::RigHost;
 constexpr double wanted = 0.5, safe = 0.125;  // [A]
 constexpr int soon = 100;  // steps of the rig, 10 ms each, with which no machine is too busy
 
-/// A loop at 100 Hz that asks for 0.5 A at a force of 1 N, over a rig in this process.
+/// Loop at 100 Hz with a rig in this process; its output is 0.5 A at a force of 1 N.
 struct Guarded {
   explicit Guarded(const std::string& more = "late: 100 ms\n") : rig(name()) {
     folder.file("a.yaml", R"(stepwire: 1
