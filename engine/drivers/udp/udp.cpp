@@ -24,7 +24,7 @@ using stepwire::support::Settings;
 static_assert(std::endian::native == std::endian::little);
 
 constexpr std::size_t most_values = 128;
-constexpr int most_packets = 64;  // of one read
+constexpr int most_packets = 4096;  // more than a socket keeps
 
 struct Packet {
   char magic[4] = {'S', 'W', 'U', '1'};

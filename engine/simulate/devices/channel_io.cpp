@@ -1,8 +1,6 @@
 #include "engine/simulate/devices/channel_io.hpp"
 
-#include <cstdio>
 #include <sstream>
-#include <utility>
 
 namespace stepwire::devices {
 
@@ -46,27 +44,7 @@ std::vector<std::string> DirectIo::finish() {
 }
 
 GuardedIo::GuardedIo(const Wiring& wiring, int priority)
-    : wiring_(wiring), guard_({wiring.devices, wiring.holds_stale, wiring.limits, priority}) {}
-
-bool GuardedIo::read(double* inputs) noexcept {
-  if (guard_.inputs(inputs)) return true;
-  if (guard_.is_gone() && !std::exchange(rescued_, true)) set_safe();
-  return false;
-}
-
-/// Opens the devices of a guard that is gone, and sets their outputs to the safe values. It allocates, but
-/// the loop has ended.
-void GuardedIo::set_safe() noexcept {
-  try {
-    guard::Bank bank(wiring_.devices);
-    bank.start(wiring_.limits.period, guard::Watch(wiring_.limits).safe());
-    bank.safe();
-    bank.stop();
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "the outputs are not at their safe values, because the guard is gone and %s\n",
-                 error.what());
-  }
-}
+    : guard_({wiring.devices, wiring.holds_stale, wiring.limits, priority}) {}
 
 std::vector<std::string> GuardedIo::finish() {
   std::vector<std::string> lines;

@@ -51,18 +51,14 @@ class GuardedIo : public ChannelIo {
   /// EnvironmentError.
   GuardedIo(const Wiring& wiring, int priority);
 
-  bool read(double* inputs) noexcept override;
-  bool write(const double* outputs) noexcept override { return !guard_.is_gone() && guard_.command(outputs); }
+  bool read(double* inputs) noexcept override { return guard_.inputs(inputs); }
+  bool write(const double* outputs) noexcept override { return guard_.command(outputs); }
   void rest() noexcept override { guard_.rest(); }
   std::vector<std::string> finish() override;
   std::string trouble() const override { return guard_.trouble(); }
 
  private:
-  void set_safe() noexcept;
-
-  const Wiring& wiring_;
   guard::RunningGuard guard_;
-  bool rescued_ = false;
 };
 
 }  // namespace stepwire::devices

@@ -225,7 +225,7 @@ const Table<IoRequest>& io_table() {
         [](IoRequest& request, const Node& node, const IoReading& read) {
           read.take(node, form::truth(), request.guard);
         }},
-       {"late", "largest time between two commands, by default two periods",
+       {"late", "largest time between two commands, by default one and a half periods",
         form::above_zero(form::number("s")), &IoRequest::late},
        {"ramp", "time in which outputs go from safe values to the loop's",
         form::above_zero(form::number("s")), &IoRequest::ramp},

@@ -78,7 +78,7 @@ struct IoRequest {
   std::optional<DeadManRequest> dead_man;
   std::vector<EnergyRequest> energies;
   std::optional<bool> guard;   ///< std::nullopt: where a device has outputs
-  std::optional<double> late;  ///< [s]; std::nullopt: two periods
+  std::optional<double> late;  ///< [s]; std::nullopt: one and a half periods
   double ramp = 0.0;           ///< [s]
   std::string clock;           ///< device; empty: the timer
   yaml::Mark clock_mark;

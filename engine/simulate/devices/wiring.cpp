@@ -66,7 +66,7 @@ class Wirer {
   /// value.
   void prepare_limits() {
     all_.limits.period = nanoseconds(period_);
-    all_.limits.late = nanoseconds(request_.late.value_or(2.0 * period_));
+    all_.limits.late = nanoseconds(request_.late.value_or(1.5 * period_));
     all_.limits.ramp = nanoseconds(request_.ramp);
     all_.holds_stale.assign(bank_.devices(), true);
     for (std::size_t i = 0; i < bank_.devices(); ++i) {

@@ -6,6 +6,7 @@
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 
 #include <algorithm>
 #include <csignal>
@@ -16,6 +17,8 @@
 namespace stepwire::guard {
 
 namespace {
+
+constexpr std::int64_t longest_look = 100'000;  // before and after the expected time of a command [ns]
 
 /// Sets real-time scheduling and locks memory. What the system refuses is left out.
 void become_prompt(int priority) {
@@ -43,15 +46,35 @@ GuardProcess::GuardProcess(Link& link, int life)
   bank_.safe();
 }
 
+GuardProcess::~GuardProcess() {
+  if (!life_watch_.joinable()) return;
+  ::shutdown(life_, SHUT_RD);
+  life_watch_.join();
+}
+
 void GuardProcess::serve() {
   become_prompt(call_.priority);
+  life_watch_ = std::thread([this] { watch_life(); });
   read_devices(monotonic());
   link_.tell(GuardState::running, "");
   while (!finished_) {
-    link_.await_beat(seen_, next_turn());
+    await_turn();
     turn(monotonic());
   }
   finish();
+}
+
+/// Looks without sleep around the expected time of a command: to wake a process takes the loop longer than
+/// its step.
+void GuardProcess::await_turn() {
+  const std::int64_t period = call_.limits.period, until = next_turn();
+  const std::int64_t expected = watch_.next_check() - call_.limits.late + period;
+  const std::int64_t margin = std::min(longest_look, period / 4);
+  if (active_ && until > expected - margin) {
+    if (monotonic() < expected - margin) link_.await_beat(seen_, expected - margin);
+    link_.look_for_beat(seen_, std::min(until, expected + margin));
+  }
+  link_.await_beat(seen_, until);
 }
 
 /// Inputs are read three quarters of a period after a command, so that they are new when the loop wakes.
@@ -68,14 +91,12 @@ void GuardProcess::turn(std::int64_t now) {
     watch_.waited(now);
   }
   if (now >= next_read_) read_devices(now);
-  finished_ = finished_ || loop_is_gone();
   if (watch_.tripped()) announce_trip();
-  link_.turn();
 }
 
 void GuardProcess::take_command(std::int64_t now) {
   const GuardRequest request = link_.request();
-  finished_ = request == GuardRequest::finish;
+  finished_ = request == GuardRequest::finish || request == GuardRequest::gone;
   active_ = request == GuardRequest::command;
   next_read_ = now + 3 * call_.limits.period / 4;
   if (!active_) {
@@ -91,6 +112,7 @@ void GuardProcess::read_devices(std::int64_t now) {
   accept(bank_.read(inputs_.data()));
   watch_.sensed(now, inputs_.data());
   link_.inputs().put(inputs_.data());
+  link_.note_read(now);
   next_read_ = now + call_.limits.period / 2;
 }
 
@@ -107,9 +129,11 @@ void GuardProcess::announce_trip() {
   link_.tell(GuardState::tripped, watch_.text());
 }
 
-bool GuardProcess::loop_is_gone() const {
+void GuardProcess::watch_life() noexcept {
   pollfd look{life_, 0, 0};
-  return ::poll(&look, 1, 0) > 0;
+  while (::poll(&look, 1, -1) < 0) {
+  }
+  link_.beat(GuardRequest::gone);
 }
 
 void GuardProcess::finish() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <thread>
 
 #include "engine/simulate/guard/guard_call.hpp"
 #include "engine/simulate/guard/link.hpp"
@@ -9,22 +10,24 @@ namespace stepwire::guard {
 
 /// Process that has the devices of a loop, and outlives it.
 ///
-/// A turn begins when the loop has written, and at the latest when inputs are to be read or the loop is late.
-/// It checks, writes and reads; after a trip it writes the safe values. The process ends with the loop, by a
-/// request or because the loop's end of `life` is closed.
+/// A turn begins when the loop has written or has ended, and at the latest when inputs are to be read or the
+/// loop is late. It checks, writes and reads; after a trip it writes the safe values. The process ends with
+/// the loop, by a request or because the loop's end of `life` is closed.
 class GuardProcess {
  public:
   /// Opens and starts the devices, with outputs at their safe values. Throws EnvironmentError.
   GuardProcess(Link& link, int life);
+  ~GuardProcess();
   void serve();
 
  private:
+  void await_turn();
   void turn(std::int64_t now);
   void take_command(std::int64_t now);
   void read_devices(std::int64_t now);
   void accept(int result) noexcept;
   void announce_trip();
-  bool loop_is_gone() const;
+  void watch_life() noexcept;
   void finish();
   std::int64_t next_turn() const;
 
@@ -37,6 +40,7 @@ class GuardProcess {
   std::int64_t next_read_ = 0;
   std::uint32_t seen_ = 0;
   bool announced_ = false, active_ = false, finished_ = false;
+  std::thread life_watch_;  ///< sleeps until the loop has ended
 };
 
 /// Runs the guard of a link, whose memory and end of life are descriptors of this process. Returns its exit

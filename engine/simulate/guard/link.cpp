@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <linux/futex.h>
+#include <sched.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -29,6 +30,12 @@ void put_text(std::array<char, size>& to, const std::string& text) {
   const std::size_t count = std::min(text.size(), size - 1);
   std::memcpy(to.data(), text.data(), count);
   to[count] = '\0';
+}
+
+void pause() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#endif
 }
 
 [[noreturn]] void fail() {
@@ -108,14 +115,26 @@ std::string_view Link::call() const {
 
 void Link::beat(GuardRequest request) noexcept {
   head_->request.store(static_cast<std::uint32_t>(request), std::memory_order_relaxed);
-  head_->beats.fetch_add(1, std::memory_order_release);
-  ::syscall(SYS_futex, &head_->beats, FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
+  head_->processor.store(::sched_getcpu(), std::memory_order_relaxed);
+  head_->beats.fetch_add(1);
+  if (head_->asleep.load() != 0)
+    ::syscall(SYS_futex, &head_->beats, FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
 }
 
-void Link::await_beat(std::uint32_t seen, std::int64_t until) const noexcept {
+/// `asleep` is set before the beats are compared, and beat() counts before it reads `asleep`; so no beat is
+/// missed.
+void Link::await_beat(std::uint32_t seen, std::int64_t until) noexcept {
   const timespec time{static_cast<std::time_t>(until / second), static_cast<long>(until % second)};
+  head_->asleep.store(1);
   // FUTEX_WAIT_BITSET takes an absolute time of CLOCK_MONOTONIC.
   ::syscall(SYS_futex, &head_->beats, FUTEX_WAIT_BITSET, seen, &time, nullptr, FUTEX_BITSET_MATCH_ANY);
+  head_->asleep.store(0);
+}
+
+void Link::look_for_beat(std::uint32_t seen, std::int64_t until) const noexcept {
+  while (beats() == seen && head_->processor.load(std::memory_order_relaxed) != ::sched_getcpu() &&
+         monotonic() < until)
+    pause();
 }
 
 void Link::tell(GuardState state, const std::string& reason) noexcept {

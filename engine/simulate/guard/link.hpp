@@ -23,8 +23,8 @@ enum class GuardState : std::uint32_t {
   ended
 };
 
-/// Request of a loop to its guard.
-enum class GuardRequest : std::uint32_t { command, rest, finish };
+/// Request of a loop to its guard. `gone` comes in its place once the process of the loop has ended.
+enum class GuardRequest : std::uint32_t { command, rest, finish, gone };
 
 /// Numbers that one process writes and another one reads whole. `lock` is odd while they change. A writer
 /// that ends inside leaves it odd, and the reader keeps its values.
@@ -59,16 +59,19 @@ class Link {
   SharedNumbers inputs() const { return {head_->inputs_lock, numbers(), head_->inputs}; }
   SharedNumbers commands() const { return {head_->commands_lock, numbers() + head_->inputs, head_->outputs}; }
 
-  /// Counts a command or request, and wakes the guard.
+  /// Counts a command or request, and wakes the guard where it sleeps.
   void beat(GuardRequest request) noexcept;
   std::uint32_t beats() const { return head_->beats.load(std::memory_order_acquire); }
   GuardRequest request() const { return static_cast<GuardRequest>(head_->request.load()); }
-  /// Waits until beats() differs from `seen`, or until the time [ns] of CLOCK_MONOTONIC.
-  void await_beat(std::uint32_t seen, std::int64_t until) const noexcept;
+  /// Sleeps until beats() differs from `seen`, or until the time [ns] of CLOCK_MONOTONIC.
+  void await_beat(std::uint32_t seen, std::int64_t until) noexcept;
+  /// Waits for the same without sleep, so that a beat need not wake the guard. Returns at once on the
+  /// processor of the last beat, where the loop would have to wait for its guard.
+  void look_for_beat(std::uint32_t seen, std::int64_t until) const noexcept;
 
-  /// Counts a turn of the guard.
-  void turn() noexcept { head_->turns.fetch_add(1, std::memory_order_release); }
-  std::uint64_t turns() const { return head_->turns.load(std::memory_order_acquire); }
+  /// Notes the time at which the guard has read the devices [ns].
+  void note_read(std::int64_t time) noexcept { head_->read_at.store(time, std::memory_order_release); }
+  std::int64_t read_at() const { return head_->read_at.load(std::memory_order_acquire); }
 
   void tell(GuardState state, const std::string& reason) noexcept;
   GuardState state() const { return static_cast<GuardState>(head_->state.load(std::memory_order_acquire)); }
@@ -78,13 +81,14 @@ class Link {
 
  private:
   struct Head {
-    std::atomic<std::uint32_t> beats{0}, request{0}, state{0}, inputs_lock{0}, commands_lock{0};
-    std::atomic<std::uint64_t> turns{0};
+    std::atomic<std::uint32_t> beats{0}, request{0}, state{0}, inputs_lock{0}, commands_lock{0}, asleep{0};
+    std::atomic<int> processor{-1};  // of the last beat
+    std::atomic<std::int64_t> read_at{0};
     std::size_t inputs = 0, outputs = 0, call = 0;
     std::array<char, 512> reason{};
     std::array<char, 4096> reports{};
   };
-  static_assert(std::atomic<double>::is_always_lock_free && std::atomic<std::uint64_t>::is_always_lock_free);
+  static_assert(std::atomic<double>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);
 
   std::atomic<double>* numbers() const;
   std::size_t call_offset() const;

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <pthread.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,7 +12,9 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
+#include <utility>
 
 #include "engine/base/driver/open_device.hpp"
 #include "engine/base/io/environment_error.hpp"
@@ -37,13 +40,21 @@ constexpr std::int64_t longest_start = 10'000'000'000, longest_end = 2'000'000'0
 
 }  // namespace
 
-RunningGuard::RunningGuard(const GuardCall& call)
-    : link_(call.limits.inputs.size(), call.limits.outputs.size(), bytes_of(call)), late_(call.limits.late) {
+RunningGuard::RunningGuard(GuardCall call)
+    : call_(std::move(call)),
+      link_(call_.limits.inputs.size(), call_.limits.outputs.size(), bytes_of(call_)) {
   spawn();
   await(GuardState::starting, longest_start);
-  if (link_.state() == GuardState::running) return;
-  const std::string reason = link_.reason();
-  throw io::EnvironmentError(reason.empty() ? "the guard has not started; without it: guard: false" : reason);
+  if (link_.state() != GuardState::running) {
+    const std::string reason = link_.reason();
+    finish();
+    throw io::EnvironmentError(reason.empty() ? "the guard has not started; without it: guard: false"
+                                              : reason);
+  }
+  process_watch_ = std::thread([this] { watch_process(); });
+  sched_param parameter{};
+  parameter.sched_priority = call_.priority;
+  if (call_.priority > 0) ::pthread_setschedparam(process_watch_.native_handle(), SCHED_FIFO, &parameter);
 }
 
 RunningGuard::~RunningGuard() {
@@ -72,21 +83,46 @@ void RunningGuard::await(GuardState worst, std::int64_t limit) {
   }
 }
 
-/// A guard whose end of life is closed has ended. One that has not turned for the time that a loop may be
-/// late is stopped, or does not get the processor.
+void RunningGuard::watch_process() noexcept {
+  siginfo_t change{};
+  while (::waitid(P_PID, static_cast<id_t>(process_), &change, WEXITED | WSTOPPED | WNOWAIT) != 0)
+    if (errno != EINTR) return;
+  rescue();
+}
+
+/// Inputs are read three quarters of a period after a command. The largest age of half a period less than the
+/// loop may be late lets the outputs become safe within two periods, whenever the guard has lost its
+/// processor.
 bool RunningGuard::is_well() noexcept {
   if (gone_ || link_.state() != GuardState::running) return false;
-  const std::uint64_t turns = link_.turns();
-  const std::int64_t time = monotonic();
-  if (turns != turns_ || turned_ == 0) {
-    turns_ = turns;
-    turned_ = time;
-  } else if (time - turned_ > late_) {
-    gone_ = true;
-  }
-  pollfd look{life_.number(), 0, 0};
-  gone_ = gone_ || ::poll(&look, 1, 0) > 0;
+  if (monotonic() - link_.read_at() > call_.limits.late - call_.limits.period / 2) rescue();
   return !gone_;
+}
+
+/// The kill prevents a stopped guard from writing later; an exclusive device opens once it has ended.
+void RunningGuard::rescue() noexcept {
+  if (finishing_ || gone_.exchange(true)) return;
+  ::kill(process_, SIGKILL);
+  siginfo_t change{};
+  for (int looks = 0; looks < 100; ++looks) {
+    const int result = ::waitid(P_PID, static_cast<id_t>(process_), &change, WEXITED | WNOHANG | WNOWAIT);
+    if (result != 0 || change.si_pid != 0) break;
+    ::usleep(50);
+  }
+  set_safe();
+}
+
+/// Allocates, but the loop ends.
+void RunningGuard::set_safe() noexcept {
+  try {
+    Bank bank(call_.devices);
+    bank.start(call_.limits.period, Watch(call_.limits).safe());
+    bank.safe();
+    bank.stop();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "the outputs are not at their safe values, because the guard is gone and %s\n",
+                 error.what());
+  }
 }
 
 bool RunningGuard::inputs(double* values) noexcept {
@@ -94,6 +130,7 @@ bool RunningGuard::inputs(double* values) noexcept {
 }
 
 bool RunningGuard::command(const double* values) noexcept {
+  if (gone_) return false;
   link_.commands().put(values);
   link_.beat(GuardRequest::command);
   return link_.state() == GuardState::running;
@@ -101,17 +138,19 @@ bool RunningGuard::command(const double* values) noexcept {
 
 std::string RunningGuard::finish() {
   if (process_ < 0) return "";
+  finishing_ = true;
   link_.beat(GuardRequest::finish);
-  await(GuardState::failed, longest_end);
+  if (!gone_) await(GuardState::failed, longest_end);
   life_.close();
   if (link_.state() != GuardState::ended) ::kill(process_, SIGKILL);
   ::waitpid(process_, nullptr, 0);
+  if (process_watch_.joinable()) process_watch_.join();
   process_ = -1;
   return link_.reports();
 }
 
 std::string RunningGuard::trouble() const {
-  if (gone_ && link_.state() == GuardState::running)
+  if (gone_)
     return "the guard has ended or does not get the processor; the loop has set the outputs to their safe "
            "values";
   return link_.state() == GuardState::running ? "" : link_.reason();

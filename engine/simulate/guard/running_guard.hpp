@@ -2,8 +2,10 @@
 
 #include <sys/types.h>
 
+#include <atomic>
 #include <cstdint>
 #include <string>
+#include <thread>
 
 #include "engine/simulate/guard/guard_call.hpp"
 #include "engine/simulate/guard/link.hpp"
@@ -11,10 +13,13 @@
 namespace stepwire::guard {
 
 /// Guard of this process, as its loop uses it. command() and inputs() neither allocate nor wait.
+///
+/// A guard that has ended, is stopped or does not read the devices in time is killed, and this process sets
+/// the outputs to their safe values. The first two are noticed at once.
 class RunningGuard {
  public:
   /// Starts the guard and waits until its devices are started. Throws EnvironmentError with its reason.
-  explicit RunningGuard(const GuardCall& call);
+  explicit RunningGuard(GuardCall call);
   /// Ends it; the devices are at their safe values.
   ~RunningGuard();
   RunningGuard(const RunningGuard&) = delete;
@@ -28,22 +33,22 @@ class RunningGuard {
   std::string finish();
   /// Returns why the guard ended the use of the devices; "" if it has not.
   std::string trouble() const;
-  /// True once the guard has ended or its turns have stopped; the devices are then without a guard.
-  bool is_gone() const { return gone_; }
   pid_t process() const { return process_; }
 
  private:
   void spawn();
+  void watch_process() noexcept;
   bool is_well() noexcept;
+  void rescue() noexcept;
+  void set_safe() noexcept;
   void await(GuardState worst, std::int64_t limit);
 
+  GuardCall call_;
   Link link_;
-  std::int64_t late_;
   io::Descriptor life_;
   pid_t process_ = -1;
-  std::uint64_t turns_ = 0;
-  std::int64_t turned_ = 0;  ///< time at which the last turn was seen [ns]
-  bool gone_ = false;
+  std::atomic<bool> gone_{false}, finishing_{false};
+  std::thread process_watch_;  ///< sleeps until the guard has ended or is stopped
 };
 
 }  // namespace stepwire::guard
