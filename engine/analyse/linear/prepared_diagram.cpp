@@ -286,8 +286,7 @@ PreparedDiagram prepare(diagram::Diagram diagram, const Request& request) {
       if (met.block == block) met.block = prepared.cut.back();
   }
   diagram::Diagram stepped = diagram;
-  if (!stepped.solver.empty()) stepped.solver = "euler";
-  stepped.events.locate = false;  // a split step leaves the derivatives of its last part
+  stepped.events.locate = false;  // both sides of a bend or jump are seen, in place of the present mode
   prepared.plan = plan::make_plan(std::move(diagram));
   prepared.slopes = plan::make_plan(std::move(stepped));
   yaml::Faults faults;

@@ -68,10 +68,10 @@ struct TakenDelay {
 /// A diagram with a junction in each wire that an analysis uses, and the places of its numbers. Both plans
 /// have the same memory layout.
 struct PreparedDiagram {
-  plan::Plan plan;             ///< Plan with the diagram's own solver.
-  plan::Plan slopes;           ///< Plan with a solver that leaves the derivatives of a tick in the workspace.
-  std::vector<int> junctions;  ///< Indices of the junctions.
-  std::vector<int> cut;        ///< Junctions that are cut.
+  plan::Plan plan;                     ///< Plan with the diagram's own solver.
+  plan::Plan slopes;                   ///< Plan for derivatives, whose events are not located.
+  std::vector<int> junctions;          ///< Indices of the junctions.
+  std::vector<int> cut;                ///< Junctions that are cut.
   std::vector<Place> inputs, outputs;  ///< Numbers added at junctions; signals.
   std::vector<int> input_blocks, output_blocks;
   std::vector<TakenDelay> delays;  ///< Removed delays; their places are the last inputs and outputs.

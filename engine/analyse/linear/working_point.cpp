@@ -235,6 +235,14 @@ Eigen::VectorXd WorkingPoint::respond(std::size_t column, double value) {
   return response;
 }
 
+void WorkingPoint::step_to_next_sample() {
+  run_->advance();
+  for (std::int64_t tick = 1; tick < base_ticks_; ++tick) {
+    run_->evaluate();
+    run_->advance();
+  }
+}
+
 Eigen::VectorXd WorkingPoint::respond() {
   const plan::Layout& layout = run_->plan().layout;
   run_->restore(point_);
@@ -242,11 +250,8 @@ Eigen::VectorXd WorkingPoint::respond() {
   Eigen::VectorXd response(static_cast<Eigen::Index>(states_.size() + outputs().size()));
   auto row = static_cast<Eigen::Index>(states_.size());
   for (const Place& output : outputs()) response[row++] = run_->values()[output.offset];
-  run_->advance();
-  for (std::int64_t tick = 1; sampled_ && tick < base_ticks_; ++tick) {
-    run_->evaluate();
-    run_->advance();
-  }
+  if (sampled_) step_to_next_sample();
+  if (!sampled_) run_->find_slopes();
   const double* values = run_->values();
   row = 0;
   for (const StatePlace& state : states_)

@@ -52,6 +52,7 @@ class WorkingPoint {
   double most_change(std::size_t column) const;
   /// Returns the derivatives or next values of the states, then the outputs, for a number in one column.
   Eigen::VectorXd respond(std::size_t column, double value);
+  void step_to_next_sample();
   Eigen::VectorXd respond();
   std::size_t columns() const { return states_.size() + inputs().size(); }
   void remove_state(std::size_t state) {

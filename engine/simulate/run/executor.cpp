@@ -153,12 +153,22 @@ void Executor::advance() {
   ++workspace_.tick;
 }
 
+void Executor::begin_step() {
+  if (stepper_.moves()) who_.keep();
+  if (plan_.updates_continuous) stepper_.find_outputs();
+}
+
+void Executor::find_slopes() {
+  phase_.update();
+  begin_step();
+  stepper_.find_slopes();
+}
+
 void Executor::take_step() {
   if (events_) events_->keep_states();
   phase_.update();
   if (health_.has_ended()) return last_outputs_->run();
-  if (stepper_.moves()) who_.keep();
-  if (plan_.updates_continuous) stepper_.find_outputs();
+  begin_step();
   const double next = plan_.time_of(workspace_.tick + 1);
   if (const double end = health_.end(); end < next) return take_last_step(end);
   events_ ? events_->step(workspace_.tick) : stepper_.step(whole_step(plan_, workspace_.tick));

@@ -78,6 +78,9 @@ class Executor {
   void evaluate();
   /// Steps the run to the next tick: updates, then the solver. Call evaluate() before.
   void advance();
+  /// Computes the derivatives of the states at the present tick, after its updates, in place of a step. Call
+  /// evaluate() before. Interpreted only.
+  void find_slopes();
   /// Checks whether the steps of the solver are unstable. Call it after evaluate() of the ticks of
   /// next_step_check().
   void check_steps();
@@ -140,6 +143,7 @@ class Executor {
   /// Recomputes the numbers that depend on parameter values and not on the state.
   void follow_values();
   void find_outputs();
+  void begin_step();
   void take_step();
   /// Steps to the time within the present step at which a block ends the run.
   void take_last_step(double end);

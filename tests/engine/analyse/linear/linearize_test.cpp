@@ -68,6 +68,40 @@ TEST_CASE("a cart on a spring has the matrices of its equations, at any time of 
   }
 }
 
+TEST_CASE("a delay beside an integrator leaves the equations of the integrator as they are") {
+  const std::string yaml = R"(step: 10 ms
+stop: 1 s
+solver: rk4
+blocks:
+  e: {block: Constant, value: 0}
+  p: {block: TransferFunction, u: e, numerator: [1], denominator: [1, 2, 1]}
+  late: {block: TransportDelay, u: p, delay: 0.1 s}
+  b: {block: Integrator, u: p}
+)";
+  const StateSpace system = linear(yaml, {"e"}, {"b"}).system;
+  REQUIRE(system.states.size() == 3);
+  Eigen::Matrix3d A;
+  A << -2, -1, 0, 1, 0, 0, 0, 1, 0;
+  CHECK(system.A.isApprox(A, 1e-11));
+}
+
+TEST_CASE("a system has the same matrices with every solver") {
+  for (const std::string solver :
+       {"euler", "rk4", "dop853", "radau", "rodas", "auto", "{name: sdirk, relative: 1e-6}",
+        "{name: rosenbrock, relative: 1e-6, absolute: 1e-9}", "{name: dormand_prince, relative: 1e-8}"}) {
+    INFO(solver);
+    const StateSpace system = linear("step: 10 ms\nstop: 1 s\nsolver: " + solver + R"(
+blocks:
+  e: {block: Constant, value: 0}
+  g: {block: Lag, u: e, gain: 3, tau: 0.5 s}
+)",
+                                     {"e"}, {"g"})
+                                  .system;
+    CHECK(system.A(0, 0) == Approx(-2.0).epsilon(1e-11));
+    CHECK(system.B(0, 0) * system.C(0, 0) == Approx(6.0).epsilon(1e-11));
+  }
+}
+
 TEST_CASE("something is added to a wire, and a cut wire gives the loop") {
   // Around the spring: its force comes back over the cart.
   const Linearization loop = linear(cart, {"spring"}, {"spring"}, {"spring"});

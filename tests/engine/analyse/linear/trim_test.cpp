@@ -46,8 +46,8 @@ blocks:
 }
 
 TEST_CASE("an input is found for an output that is given, within its bounds") {
-  const std::string yaml = R"(step: 10 ms
-solver: rk4
+  const std::string solver = GENERATE("rk4", "radau", "{name: dormand_prince, relative: 1e-8}");
+  const std::string yaml = "step: 10 ms\nsolver: " + solver + R"(
 blocks:
   u: {block: Constant, value: 1}
   y: {block: Lag, u: u, gain: 3, tau: 1 s}
