@@ -45,8 +45,9 @@ RigHost::RigHost(const std::string& name)
 double RigHost::step(double force) {
   std::this_thread::sleep_for(period);
   double current = 0.0;
-  // Before the first command the memory has a zero, which is no current.
-  if (device_.read(&current) == STEPWIRE_OK && (current != 0.0 || !std::isnan(current_))) current_ = current;
+  // The amplifiers keep a stale value. Before the first command the memory has a zero, which is no current.
+  if (device_.read(&current) != STEPWIRE_FAILED && (current != 0.0 || !std::isnan(current_)))
+    current_ = current;
   device_.write(&force);
   return current_;
 }

@@ -23,6 +23,21 @@ struct IoCall {
   double duration = 5.0;
 };
 
+[[noreturn]] void refuse(const IoCall& call, const std::string& message) {
+  throw yaml::Error(yaml::Fault{{"--set " + call.set, {}}, "", message, {}});
+}
+
+/// Refuses a value without the unit of its output, or in another one. 0 needs none.
+void check_unit(const IoCall& call, const devices::Port& port, const unit::Quantity& quantity) {
+  const unit::Dimension wanted = port.dimension.value_or(unit::Dimension{});
+  const bool is_zero = quantity.value == 0.0 && !quantity.dimension;
+  if (is_zero || quantity.dimension.value_or(unit::Dimension{}) == wanted) return;
+  const std::string name = unit::si_name(wanted);
+  if (!quantity.dimension)
+    refuse(call, fmt::format("has no unit; {} is in {}: {}=0.05{}", port.name, name, port.name, name));
+  refuse(call, fmt::format("is in {}; {} is in {}", unit::si_name(*quantity.dimension), port.name, name));
+}
+
 /// Returns the outputs with the one that is set; the others have their safe values.
 std::vector<double> wanted_outputs(const IoCall& call, const devices::Ports& ports) {
   std::vector<double> outputs;
@@ -34,18 +49,18 @@ std::vector<double> wanted_outputs(const IoCall& call, const devices::Ports& por
       equals == std::string::npos ? std::nullopt : unit::parse_quantity(call.set.substr(equals + 1));
   const auto found = std::ranges::find(ports.outputs, name, &devices::Port::name);
   if (!quantity || found == ports.outputs.end())
-    throw yaml::Error(yaml::Fault{{"--set " + call.set, {}},
-                                  "",
-                                  "must be an output of the rig with a value, such as current=0.05A",
-                                  {}});
+    refuse(call, "must be an output of the rig with a value, such as current=0.05A");
+  check_unit(call, *found, *quantity);
   outputs[static_cast<std::size_t>(found - ports.outputs.begin())] = quantity->value;
   return outputs;
 }
 
-void show(const devices::Ports& ports, const std::vector<double>& inputs) {
+void show(const devices::Rig& rig, const devices::Ports& ports, const std::vector<double>& inputs) {
   std::string line;
-  for (std::size_t i = 0; i < inputs.size(); ++i)
-    line += fmt::format("  {} {:.6g}", ports.inputs[i].name, inputs[i]);
+  for (const devices::InputWire& wire : rig.inputs()) {
+    line += fmt::format("  {} {:.6g}", ports.inputs[wire.port].name, inputs[wire.port]);
+    if (!wire.unit.empty()) line += " " + wire.unit;
+  }
   say("{}\n", text::visible(line));
 }
 
@@ -57,7 +72,7 @@ void step_all(const IoCall& call, devices::Rig& rig, const devices::Ports& ports
   for (int i = 0; i < steps && rig.device().healthy() && !interrupted(); ++i) {
     rig.device().read(inputs.data());
     if (!call.set.empty()) rig.device().write(outputs.data());
-    if (i % steps_of_line == 0) show(ports, inputs);
+    if (i % steps_of_line == 0) show(rig, ports, inputs);
     std::this_thread::sleep_until(
         next += std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(period)));
   }

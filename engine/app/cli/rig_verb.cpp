@@ -51,8 +51,10 @@ void add_rig_options(CLI::App& verb, RigCall& call) {
   verb.add_option("--noise", call.plant.noises,
                   "standard deviation of a sensor: force=0.015N; several times");
   verb.add_option("--seed", call.plant.seed, "of the noise")->capture_default_str();
-  verb.add_option("--fault", call.plant.faults,
-                  "stuck:force@2s, jump:angle=0.5rad@2s, nan:force@2s or unplug@2s; several times");
+  verb.add_option(
+      "--fault", call.plant.faults,
+      "stuck:force@2s, jump:angle=0.5rad@2s, nan:force@2s or unplug@2s; until an end with unplug@2s..2.02s; "
+      "several times");
   verb.add_option("--duration", call.loop.words.duration, "for how long [s]")->capture_default_str();
   verb.add_option("--out", call.loop.out, "folder for signals.csv, inputs.csv, loop.json, loop.svg");
   add_timing_options(verb, call.loop.words);

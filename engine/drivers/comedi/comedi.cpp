@@ -7,7 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/drivers/comedi/library.hpp"
+#include "engine/drivers/comedi/encoder.hpp"
+#include "engine/drivers/comedi/ni_counter.hpp"
 #include "engine/drivers/support/table.hpp"
 
 namespace {
@@ -18,15 +19,16 @@ using stepwire::support::Channels;
 using stepwire::support::Settings;
 namespace comedi = stepwire::comedi;
 
-enum class Kind { adc, dac, in, out, encoder };
+enum class Kind { adc, dac, in, out, encoder, index };
 
 /// One wire of the card.
 struct Wire {
   Kind kind;
   unsigned int subdevice = 0, channel = 0, range = 0;
   comedi::Range* span = nullptr;
-  Sample most = 0, last = 0;
-  double counts = 0.0;  ///< of an encoder, beyond its wrap
+  Sample most = 0;
+  unsigned int number = 0;  ///< of an encoder of the card, or that of its index
+  std::size_t encoder = 0;  ///< place among the encoders
 };
 
 /// Card that is closed at the end.
@@ -56,6 +58,19 @@ class Card {
     throw std::runtime_error("the card has no channel '" + name + "'");
   }
 
+  /// Returns the channel of a counter. Those of NI have a subdevice each.
+  std::pair<unsigned int, unsigned int> place_of_counter(unsigned int index, const std::string& name) const {
+    if (!has_ni_counters()) return place({comedi::counter}, index, name);
+    for (int one = 0; one < calls.subdevices(device); ++one) {
+      const auto subdevice = static_cast<unsigned int>(one);
+      const bool is_counter = calls.type(device, subdevice) == comedi::counter &&
+                              calls.channels(device, subdevice) == comedi::NiCounter::channels;
+      if (is_counter && index-- == 0) return {subdevice, 0};
+    }
+    throw std::runtime_error("the card has no channel '" + name + "'");
+  }
+  bool has_ni_counters() const { return comedi::NiCounter::is_one(calls.driver_name(device)); }
+
   Library calls;
   comedi::Device* device;
 };
@@ -64,13 +79,20 @@ class ComediDevice {
  public:
   explicit ComediDevice(const Settings& settings)
       : card_(settings.text("library", "libcomedi.so.0"), settings.text("device", "/dev/comedi0")),
-        multiplication_(static_cast<double>(settings.whole("multiplication", 1))),
+        multiplication_(static_cast<int>(settings.whole("multiplication", 1))),
         span_(settings.number("range", 10.0)),
         reference_(
             static_cast<unsigned int>(settings.word("reference", {"ground", "common", "differential"}))) {
     check_multiplication();
+    take_index(settings);
     for (const std::string& name : names_in(settings.text("inputs", ""))) add(name, STEPWIRE_INPUT);
     for (const std::string& name : names_in(settings.text("outputs", ""))) add(name, STEPWIRE_OUTPUT);
+    for (Wire& wire : in_)
+      if (wire.kind == Kind::index) wire.encoder = encoder_of(wire.number);
+    const auto with_index = std::count_if(encoders_.begin(), encoders_.end(),
+                                          [](const comedi::Encoder& one) { return one.has_index(); });
+    if (with_index != static_cast<std::ptrdiff_t>(turns_.size()))
+      Settings::refuse("index", "names encoders among 'inputs', such as enc0");
   }
 
   const Channels& channels() const { return channels_; }
@@ -80,8 +102,7 @@ class ComediDevice {
     for (Wire& wire : in_) {
       if (wire.kind == Kind::in)
         require(card_.calls.configure(card_.device, wire.subdevice, wire.channel, comedi::config_input));
-      if (wire.kind == Kind::encoder)
-        require(card_.calls.read(card_.device, wire.subdevice, wire.channel, 0, 0, &wire.last));
+      if (wire.kind == Kind::encoder) begin(wire);
     }
     for (const Wire& wire : out_)
       if (wire.kind == Kind::out)
@@ -90,7 +111,9 @@ class ComediDevice {
 
   int read(double* values) {
     for (std::size_t i = 0; i < in_.size(); ++i)
-      if (!read_one(in_[i], values[i])) return STEPWIRE_FAILED;
+      if (in_[i].kind != Kind::index && !read_one(in_[i], values[i])) return STEPWIRE_FAILED;
+    for (std::size_t i = 0; i < in_.size(); ++i)
+      if (in_[i].kind == Kind::index) values[i] = encoders_[in_[i].encoder].seen() ? 1.0 : 0.0;
     return STEPWIRE_OK;
   }
   int write(const double* values) {
@@ -101,7 +124,11 @@ class ComediDevice {
   int safe() { return write(safe_.data()); }
   void stop() {}
   void report(char* text, std::size_t size) const {
-    std::snprintf(text, size, "card of the driver %s", card_.calls.driver_name(card_.device));
+    const auto used = static_cast<std::size_t>(
+        std::snprintf(text, size, "card of the driver %s", card_.calls.driver_name(card_.device)));
+    if (!encoders_.empty() && used < size)
+      std::snprintf(text + used, size - used, "; its counters count %d %s of each line", multiplication_,
+                    multiplication_ == 1 ? "edge" : "edges");
   }
 
  private:
@@ -125,6 +152,52 @@ class ComediDevice {
                        "is 1 for the s626, whose kernel driver counts one edge of each line");
   }
 
+  /// Takes the encoders with an index pulse. Other cards get no request for one, because the driver of the
+  /// s626 refuses none and sets its counter to the code of the request.
+  void take_index(const Settings& settings) {
+    const std::vector<std::string> names = names_in(settings.text("index", ""));
+    const std::vector<std::string> lines = names_in(settings.text("lines", ""));
+    if (names.empty() && lines.empty()) return;
+    const std::string driver = card_.calls.driver_name(card_.device);
+    if (!names.empty() && !card_.has_ni_counters())
+      throw std::runtime_error(
+          "the setting 'index' needs a card of NI (ni_pcimio, ni_660x); the kernel driver " + driver +
+          " does not use the index pulse");
+    if (names.empty() || (lines.size() != 1 && lines.size() != names.size()))
+      Settings::refuse("lines",
+                       "is the number of lines of a turn of the encoders in 'index': one for all or each");
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const std::string& text = lines[lines.size() == 1 ? 0 : i];
+      char* end = nullptr;
+      const double turn = std::strtod(text.c_str(), &end);
+      if (*end != '\0' || !(turn >= 1.0 && turn < 1e6) || turn != std::floor(turn))
+        Settings::refuse("lines", "is a whole number from 1 on");
+      turns_.emplace_back(names[i], turn);
+    }
+  }
+  double turn_of(const std::string& name) const {
+    for (const auto& [encoder, lines] : turns_)
+      if (encoder == name) return lines * multiplication_;
+    return 0.0;
+  }
+  std::size_t encoder_of(unsigned int number) const {
+    for (const Wire& wire : in_)
+      if (wire.kind == Kind::encoder && wire.number == number && encoders_[wire.encoder].has_index())
+        return wire.encoder;
+    const std::string digits = std::to_string(number);
+    throw std::runtime_error("'index" + digits + "' needs enc" + digits + " among 'inputs' and in 'index'");
+  }
+  /// Begins to count.
+  void begin(const Wire& wire) {
+    comedi::Encoder& encoder = encoders_[wire.encoder];
+    if (card_.has_ni_counters())
+      comedi::NiCounter(card_.calls, card_.device, wire.subdevice, wire.number)
+          .begin(encoder.beginning(), multiplication_, encoder.has_index());
+    Sample number = 0;
+    require(card_.calls.read(card_.device, wire.subdevice, wire.channel, 0, 0, &number));
+    encoder.begin(number);
+  }
+
   void add(const std::string& name, int direction) {
     const auto digits = name.find_first_of("0123456789");
     const std::string kind = name.substr(0, digits);
@@ -138,6 +211,8 @@ class ComediDevice {
       add_analog(name, index, direction);
     else if (is_input && kind == "enc")
       add_encoder(name, index);
+    else if (is_input && kind == "index")
+      add_index(name, index);
     else if (kind == (is_input ? "di" : "do"))
       add_line(name, index, direction);
     else
@@ -174,10 +249,21 @@ class ComediDevice {
 
   void add_encoder(const std::string& name, unsigned int index) {
     Wire wire{Kind::encoder};
-    std::tie(wire.subdevice, wire.channel) = card_.place({comedi::counter}, index, name);
+    std::tie(wire.subdevice, wire.channel) = card_.place_of_counter(index, name);
+    wire.number = index;
+    wire.encoder = encoders_.size();
     wire.most = card_.calls.most(card_.device, wire.subdevice, wire.channel);
+    encoders_.emplace_back(wire.most, multiplication_, turn_of(name));
     constexpr double unlimited = std::numeric_limits<double>::infinity();
-    channels_.add(name, STEPWIRE_INPUT, "counter", "", -unlimited, unlimited, "lines since the start");
+    const char* const from =
+        encoders_.back().has_index() ? "lines since the index pulse" : "lines since the start";
+    channels_.add(name, STEPWIRE_INPUT, "counter", "", -unlimited, unlimited, from);
+    in_.push_back(wire);
+  }
+  void add_index(const std::string& name, unsigned int number) {
+    Wire wire{Kind::index};
+    wire.number = number;
+    channels_.add(name, STEPWIRE_INPUT, "digital", "", 0.0, 1.0, "1 once the index pulse was seen");
     in_.push_back(wire);
   }
   void add_line(const std::string& name, unsigned int index, int direction) {
@@ -189,7 +275,7 @@ class ComediDevice {
     (is_input ? in_ : out_).push_back(wire);
   }
 
-  bool read_one(Wire& wire, double& value) {
+  bool read_one(const Wire& wire, double& value) {
     Sample raw = 0;
     unsigned int bit = 0;
     if (wire.kind == Kind::in) {
@@ -200,17 +286,9 @@ class ComediDevice {
     const unsigned int reference = wire.kind == Kind::adc ? reference_ : 0;
     if (card_.calls.read(card_.device, wire.subdevice, wire.channel, wire.range, reference, &raw) < 0)
       return false;
-    value = wire.kind == Kind::adc ? card_.calls.to_physical(raw, wire.span, wire.most) : lines_of(wire, raw);
+    value = wire.kind == Kind::adc ? card_.calls.to_physical(raw, wire.span, wire.most)
+                                   : encoders_[wire.encoder].lines(raw);
     return true;
-  }
-
-  /// Adds the way from the last count, which is the shorter one around the wrap.
-  double lines_of(Wire& wire, Sample raw) const {
-    const Sample step = (raw - wire.last) & wire.most;
-    wire.counts += step > wire.most / 2 ? static_cast<double>(step) - static_cast<double>(wire.most) - 1.0
-                                        : static_cast<double>(step);
-    wire.last = raw;
-    return wire.counts / multiplication_;
   }
 
   bool write_one(const Wire& wire, double value) {
@@ -224,10 +302,13 @@ class ComediDevice {
   }
 
   Card card_;
-  double multiplication_, span_;
+  int multiplication_;
+  double span_;
   unsigned int reference_;
   Channels channels_;
   std::vector<Wire> in_, out_;
+  std::vector<comedi::Encoder> encoders_;
+  std::vector<std::pair<std::string, double>> turns_;  ///< lines of a turn of the encoders with an index
   std::vector<double> safe_;
 };
 
@@ -237,6 +318,9 @@ constexpr stepwire_known_setting settings[] = {
     {"outputs", "dac0 (V), do0: [dac0, do0]", ""},
     {"range", "voltage that the converters of inputs have at least", "10"},
     {"reference", "of analog inputs: ground, common or differential", "ground"},
+    {"index", "encoders whose index pulse sets them to 0; cards of NI; index0 is 1 once it was seen: [enc0]",
+     ""},
+    {"lines", "lines of a turn of these encoders, one for all or for each: 1024", ""},
     {"multiplication", "edges that the card counts for each line of an encoder: 1, 2 or 4", "1"},
     {"library", "library of Comedi", "libcomedi.so.0"},
     {nullptr, nullptr, nullptr}};

@@ -51,6 +51,11 @@ class Library {
     load(write_bit, "comedi_dio_write");
     load(to_physical, "comedi_to_phys");
     load(from_physical, "comedi_from_phys");
+    load(reset, "comedi_reset");
+    load(set_gate, "comedi_set_gate_source");
+    load(set_other, "comedi_set_other_source");
+    load(set_counter_mode, "comedi_set_counter_mode");
+    load(arm, "comedi_arm");
   }
 
   Device* (*open)(const char*);
@@ -69,6 +74,11 @@ class Library {
   int (*write_bit)(Device*, unsigned int, unsigned int, unsigned int);
   double (*to_physical)(Sample, Range*, Sample);
   Sample (*from_physical)(double, Range*, Sample);
+  int (*reset)(Device*, unsigned int);
+  int (*set_gate)(Device*, unsigned int, unsigned int, unsigned int, unsigned int);
+  int (*set_other)(Device*, unsigned int, unsigned int, unsigned int, unsigned int);
+  int (*set_counter_mode)(Device*, unsigned int, unsigned int, unsigned int);
+  int (*arm)(Device*, unsigned int, unsigned int);
 
  private:
   template <class Function>

@@ -2,8 +2,10 @@
 #include <ctime>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 
@@ -38,7 +40,8 @@ struct Record {
   explicit Record(const std::string& path) : path_(path) {
     std::ifstream file(path);
     std::string line;
-    if (!std::getline(file, line)) throw std::runtime_error("the record " + path + " cannot be read");
+    if (!file) refuse_to_open(path);
+    if (!std::getline(file, line)) throw std::runtime_error("the record " + path + " is empty");
     names = cells_of(line);
     if (names.empty() ||
         Channels::name_and_unit(names.front()) != std::pair<std::string, std::string>("time", "s"))
@@ -50,6 +53,12 @@ struct Record {
   }
 
  private:
+  [[noreturn]] static void refuse_to_open(const std::string& path) {
+    const int reason = errno;
+    throw std::runtime_error("the record " + path +
+                             (reason == ENOENT ? std::string(" does not exist")
+                                               : " cannot be read: " + std::string(std::strerror(reason))));
+  }
   void add(const std::vector<std::string>& cells, int line) {
     if (cells.size() != names.size() + 1) refuse(line, "has another number of columns than the first one");
     for (std::size_t i = 0; i < cells.size(); ++i) {

@@ -38,6 +38,10 @@ class Settings {
     return static_cast<std::int64_t>(
         scaled(key, otherwise, {{"ns", 1.0}, {"us", 1e3}, {"ms", 1e6}, {"s", 1e9}}));
   }
+  /// Returns a length [m]: "30 cm".
+  double length(const char* key, double otherwise) const {
+    return scaled(key, otherwise, {{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}});
+  }
   bool truth(const char* key, bool otherwise) const {
     const std::string value = text(key, otherwise ? "true" : "false");
     if (value != "true" && value != "false") refuse(key, "is neither true nor false");
@@ -76,7 +80,10 @@ class Settings {
     while (*end == ' ') ++end;
     for (const Scale& scale : scales)
       if (std::strcmp(end, scale.unit) == 0) return number * scale.factor;
-    refuse(key, scales.size() > 1 ? "needs a unit: ns, us, ms or s" : "takes a number without a unit");
+    std::string units;
+    for (const Scale& scale : scales) units += (units.empty() ? "" : ", ") + std::string(scale.unit);
+    refuse(key,
+           scales.size() > 1 ? ("needs a unit, one of " + units).c_str() : "takes a number without a unit");
   }
 
   std::vector<stepwire_setting> all_;

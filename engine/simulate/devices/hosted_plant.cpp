@@ -111,7 +111,11 @@ PlantFault HostedPlant::fault_of(const std::string& text) const {
   if (!is_whole)
     refuse(text, "is no fault; such as stuck:force@2s, jump:angle=0.5rad@2s, nan:force@2s, unplug@2s");
   fault.kind = static_cast<PlantFault::Kind>(found - kinds.begin());
-  fault.time = seconds_of(text.substr(at + 1), text);
+  const std::string times = text.substr(at + 1);
+  const auto dots = times.find("..");
+  fault.time = seconds_of(times.substr(0, dots), text);
+  if (dots != std::string::npos) fault.end = seconds_of(times.substr(dots + 2), text);
+  if (!(fault.time < fault.end)) refuse(text, "ends before it begins");
   if (kind == "unplug") return fault;
   fault.output = what.substr(colon + 1, equals - colon - 1);
   const std::size_t index = sensor(fault.output, text);
@@ -133,8 +137,9 @@ void HostedPlant::read(double* inputs) noexcept {
 
 void HostedPlant::apply_faults() noexcept {
   const double time = static_cast<double>(steps_ - 1) * period_;
+  unplugged_ = false;
   for (const PlantFault& fault : faults_) {
-    if (time < fault.time) continue;
+    if (time < fault.time || time >= fault.end) continue;
     if (fault.kind == PlantFault::Kind::unplug) unplugged_ = true;
     for (std::size_t i = 0; i < sensors_.size(); ++i) {
       if (sensors_[i].name != fault.output) continue;

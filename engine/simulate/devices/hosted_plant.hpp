@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,13 +15,14 @@
 namespace stepwire::devices {
 
 /// Fault of a sensor of a rig in software: "stuck:force@2 s", "jump:angle=0.5 rad@2 s", "nan:force@2 s",
-/// "unplug@2 s".
+/// "unplug@2 s"; until an end in "unplug@2 s..2.02 s".
 struct PlantFault {
   enum class Kind { stuck, jump, nan, unplug };
   Kind kind = Kind::stuck;
   std::string output;  ///< empty for unplug
   double by = 0.0;     ///< of a jump, SI
   double time = 0.0;   ///< [s]
+  double end = std::numeric_limits<double>::infinity();
 };
 
 /// Way in which a plant is offered to a controller.

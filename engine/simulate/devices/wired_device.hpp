@@ -71,6 +71,7 @@ class Rig : public LoopRig {
   realtime::LoopClock* clock() override { return clock_.get(); }
   std::vector<std::string> notes() const override { return wiring_.notes; }
   std::string trouble() const override { return io_->trouble(); }
+  const std::vector<InputWire>& inputs() const { return wiring_.inputs; }
   std::vector<std::string> finish() override;
 
  private:

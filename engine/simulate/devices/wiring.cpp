@@ -32,6 +32,13 @@ struct Place {
   std::size_t device = 0, index = 0;
 };
 
+/// Returns the SI unit of a number, "" without one.
+std::string unit_name(const Dimension& dimension) {
+  const std::string name = unit::si_name(dimension);
+  if (name != "1") return name;
+  return dimension.angle == 1.0 ? "rad" : "";
+}
+
 /// Affine map from a channel to a port, or back: to = scale * from + offset.
 struct Line {
   double scale = 1.0, offset = 0.0;
@@ -166,7 +173,9 @@ class Wirer {
         scale * static_cast<double>(unit->offset) + si(one.offset, 0.0, dimension, subject + ".offset")};
     const double filter =
         one.filter > 0.0 ? 1.0 - std::exp(-2.0 * std::numbers::pi * one.filter * period_) : 1.0;
-    all_.inputs.push_back({*port, place->index, line.scale, line.offset, filter});
+    const auto of_scale = one.scale ? one.scale->quantity.dimension : std::nullopt;
+    const Dimension shown = dimension.value_or(of_scale.value_or(Dimension{}) * unit->dimension);
+    all_.inputs.push_back({*port, place->index, line.scale, line.offset, filter, unit_name(shown)});
     if (one.stale == Stale::stop) all_.holds_stale[place->device] = false;
     limit_input(one, line, dimension, all_.limits.inputs[place->index]);
   }
@@ -362,7 +371,13 @@ Ports Ports::of(const plan::Plan& plan) {
 Ports Ports::of(const IoRequest& request) {
   Ports ports;
   for (const InputRequest& one : request.inputs) ports.inputs.push_back({one.port, {}, {}});
-  for (const OutputRequest& one : request.outputs) ports.outputs.push_back({one.port, {}, 0.0});
+  for (const OutputRequest& one : request.outputs) {
+    Dimension dimension;
+    if (one.limits)
+      for (const PlacedNumber& limit : {one.limits->least, one.limits->most})
+        if (limit.quantity.dimension) dimension = *limit.quantity.dimension;
+    ports.outputs.push_back({one.port, dimension, 0.0});
+  }
   return ports;
 }
 

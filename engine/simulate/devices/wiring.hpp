@@ -17,6 +17,7 @@ struct InputWire {
   std::size_t port = 0, channel = 0;  ///< places among the numbers of the diagram and of all devices
   double scale = 1.0, offset = 0.0;
   double filter = 1.0;  ///< share of the new value in a step
+  std::string unit;     ///< SI; "" for a pure number
 };
 
 /// Output of the diagram, within its limits; the channel gets scale * output + offset.
@@ -48,7 +49,8 @@ struct Ports {
   std::vector<Port> inputs, outputs;
 
   static Ports of(const plan::Plan& plan);
-  /// Returns those that a rig file names, of any unit, with safe values of 0.
+  /// Returns those that a rig file names, with safe values of 0: inputs of any unit, outputs of that of their
+  /// limits.
   static Ports of(const IoRequest& request);
 };
 

@@ -30,7 +30,7 @@ Watch::Watch(WatchLimits limits) : limits_(std::move(limits)) {
   outputs_ = commands_ = safe_;
   inputs_.assign(limits_.inputs.size(), 0.0);
   changed_.assign(limits_.inputs.size(), 0);
-  energies_.assign(limits_.powers.size(), 0.0);
+  for (const PowerLimit& one : limits_.powers) energies_.emplace_back(one.most);
   held_ = !limits_.dead_man;
 }
 
@@ -49,7 +49,7 @@ void Watch::hold_safe() noexcept {
 
 void Watch::sensed(std::int64_t now, const double* inputs) noexcept {
   for (std::size_t i = 0; i < inputs_.size(); ++i) check_input(i, inputs[i], now);
-  if (sensed_) check_powers(inputs, seconds_of(now - last_sensed_));
+  if (sensed_) check_powers(now, inputs);
   if (limits_.dead_man) {
     const DeadMan& man = *limits_.dead_man;
     const bool holds = inputs[man.input] > man.above;
@@ -75,14 +75,18 @@ void Watch::check_input(std::size_t i, double value, std::int64_t now) noexcept 
   if (std::abs(value - inputs_[i]) > rate_margin * limit.rate * seconds) trip(Cause::input_jump, i, value);
 }
 
-/// The energy of the last second is that of a window that forgets exponentially.
-void Watch::check_powers(const double* inputs, double seconds) noexcept {
+/// Of a time longer than a second the share of the last second counts.
+void Watch::check_powers(std::int64_t now, const double* inputs) noexcept {
+  const double seconds = seconds_of(now - last_sensed_);
   for (std::size_t i = 0; i < energies_.size(); ++i) {
     const PowerLimit& limit = limits_.powers[i];
     const double flow = limit.flow.of(inputs);
     const double moved = limit.flow_is_position ? flow - limit.flow.of(inputs_.data()) : seconds * flow;
-    energies_[i] += limit.effort.of(inputs) * moved - std::min(1.0, seconds) * energies_[i];
-    if (!(std::abs(energies_[i]) <= limit.most)) trip(Cause::power, i, energies_[i]);
+    const double energy = limit.effort.of(inputs) * moved / std::max(1.0, seconds);
+    if (!std::isfinite(energy)) return trip(Cause::power, i, energy);
+    energies_[i].add(now, energy);
+    const double last = energies_[i].energy();
+    if (!is_within(last, -limit.most, limit.most)) trip(Cause::power, i, last);
   }
 }
 

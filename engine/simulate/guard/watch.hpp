@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/simulate/guard/energy_window.hpp"
+
 namespace stepwire::guard {
 
 inline constexpr double no_limit = std::numeric_limits<double>::infinity();
@@ -41,8 +43,8 @@ struct ScaledInput {
   double of(const double* inputs) const { return scale * inputs[input] + offset; }
 };
 
-/// Limit of the energy in a second: the integral of an effort (force, voltage) times a flow (speed, current),
-/// or of a force over the change of a position.
+/// Limit of the energy in the last second: the integral of an effort (force, voltage) times a flow (speed,
+/// current), or of a force over the change of a position.
 struct PowerLimit {
   std::string name;
   ScaledInput effort, flow;
@@ -109,7 +111,7 @@ class Watch {
 
  private:
   void check_input(std::size_t i, double value, std::int64_t now) noexcept;
-  void check_powers(const double* inputs, double seconds) noexcept;
+  void check_powers(std::int64_t now, const double* inputs) noexcept;
   bool accepts(std::size_t i, double value, double seconds) noexcept;
   double ramp_share(std::int64_t now) const noexcept;
   void hold_safe() noexcept;
@@ -117,7 +119,8 @@ class Watch {
   std::string text_of_input() const;
 
   WatchLimits limits_;
-  std::vector<double> safe_, outputs_, commands_, inputs_, energies_;
+  std::vector<double> safe_, outputs_, commands_, inputs_;
+  std::vector<EnergyWindow> energies_;
   std::vector<std::int64_t> changed_;  ///< of each input
   std::int64_t last_command_ = 0, last_sensed_ = 0, ramp_begin_ = 0;
   bool commanded_ = false, sensed_ = false, held_ = false;  ///< held_: the dead-man input was above once

@@ -1,6 +1,7 @@
 // Library with the functions of libcomedi for the driver under test. Its card is in memory and follows the
 // kernel driver of the s626. It has 16 inputs of 16 bits, +-5 and +-10 V, and 4 outputs of 14 bits, +-10 V.
-// It has 48 lines and 6 counters of 24 bits, too.
+// It has 48 lines and 6 counters of 24 bits, too. By another name it is a card of NI: two counters of 32 bits
+// in a subdevice each, behind a counter of another kind.
 #include "tests/support/comedi/fake_comedi.hpp"
 
 #include <algorithm>
@@ -13,6 +14,19 @@ FakeCard card;
 FakeRange spans[] = {{-5.0, 5.0, 0}, {-10.0, 10.0, 0}};
 
 constexpr int types[] = {1, 2, 5, 5, 5, 6}, counts[] = {16, 4, 16, 16, 16, 6};
+constexpr int types_of_ni[] = {1, 2, 5, 6, 6, 6}, counts_of_ni[] = {16, 2, 8, 1, 3, 3};
+
+bool is_ni() {
+  return std::strncmp(card.name, "ni_", 3) == 0;
+}
+FakeCounter& counter_of(unsigned int subdevice) {
+  return card.ni[subdevice - 4];
+}
+/// Takes a request to a counter. The driver of the s626 takes any for a number of the counter.
+bool takes(unsigned int subdevice, unsigned int channel, unsigned int request) {
+  if (!is_ni()) card.counter[channel] = request;
+  return is_ni() && subdevice >= 4 && !card.unplugged;
+}
 
 }  // namespace
 
@@ -37,12 +51,13 @@ int comedi_get_n_subdevices(void*) {
   return 6;
 }
 int comedi_get_subdevice_type(void*, unsigned int subdevice) {
-  return types[subdevice];
+  return (is_ni() ? types_of_ni : types)[subdevice];
 }
 int comedi_get_n_channels(void*, unsigned int subdevice) {
-  return counts[subdevice];
+  return (is_ni() ? counts_of_ni : counts)[subdevice];
 }
 unsigned int comedi_get_maxdata(void*, unsigned int subdevice, unsigned int) {
+  if (is_ni() && subdevice >= 4) return 0xffffffffu;
   return subdevice == 0 ? 0xffffu : subdevice == 1 ? 0x3fffu : subdevice == 5 ? 0xffffffu : 1u;
 }
 int comedi_get_n_ranges(void*, unsigned int subdevice, unsigned int) {
@@ -60,14 +75,20 @@ unsigned int comedi_from_phys(double value, FakeRange* range, unsigned int most)
 int comedi_data_read(void*, unsigned int subdevice, unsigned int channel, unsigned int range, unsigned int,
                      unsigned int* raw) {
   if (card.unplugged) return -1;
+  if (is_ni() && subdevice >= 4) return *raw = counter_of(subdevice).number, 1;
   if (subdevice == 5) return *raw = card.counter[channel] & 0xffffffu, 1;
   *raw = comedi_from_phys(std::clamp(card.volts_in[channel], spans[range].min, spans[range].max),
                           &spans[range], 0xffff);
   return 1;
 }
-int comedi_data_write(void*, unsigned int, unsigned int channel, unsigned int, unsigned int,
+int comedi_data_write(void*, unsigned int subdevice, unsigned int channel, unsigned int, unsigned int,
                       unsigned int raw) {
   if (card.unplugged) return -1;
+  if (is_ni() && subdevice >= 4) {
+    if (channel == 0) counter_of(subdevice).number = raw;
+    if (channel == 1) counter_of(subdevice).reload = raw;
+    return 1;
+  }
   card.volts_out[channel] = comedi_to_phys(raw, &spans[1], 0x3fff);
   return 1;
 }
@@ -82,5 +103,27 @@ int comedi_dio_read(void*, unsigned int subdevice, unsigned int channel, unsigne
 int comedi_dio_write(void*, unsigned int subdevice, unsigned int channel, unsigned int bit) {
   card.lines[subdevice - 2][channel] = bit != 0;
   return card.unplugged ? -1 : 1;
+}
+int comedi_reset(void*, unsigned int subdevice) {
+  if (!takes(subdevice, 0, 34)) return 0;
+  counter_of(subdevice).armed = false;
+  return 0;
+}
+int comedi_set_gate_source(void*, unsigned int subdevice, unsigned int channel, unsigned int, unsigned int) {
+  return takes(subdevice, channel, 2001), 0;
+}
+int comedi_set_other_source(void*, unsigned int subdevice, unsigned int channel, unsigned int other,
+                            unsigned int source) {
+  if (takes(subdevice, channel, 2005) && !card.counts_encoders) return -1;
+  counter_of(subdevice).lines[other] = source;
+  return 0;
+}
+int comedi_set_counter_mode(void*, unsigned int subdevice, unsigned int channel, unsigned int mode) {
+  if (takes(subdevice, channel, 4097)) counter_of(subdevice).mode = mode;
+  return card.unplugged ? -1 : 0;
+}
+int comedi_arm(void*, unsigned int subdevice, unsigned int) {
+  if (takes(subdevice, 0, 31)) counter_of(subdevice).armed = true;
+  return 0;
 }
 }

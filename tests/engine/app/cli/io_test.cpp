@@ -193,6 +193,8 @@ TEST_CASE("what is asked of a rig wrongly is refused with what would be right") 
            {{"--noise", "plac=1m"}, "--plac"},
            {{"--noise", "place=1N"}, "is not in m, the unit of place"},
            {{"--fault", "bend:place@1s"}, "is no fault; such as stuck:force@2s"},
+           {{"--fault", "unplug@2s..1s"}, "ends before it begins"},
+           {{"--fault", "unplug@2s..soon"}, "'soon' is no time, such as '2 s'"},
            {{"--latency", "2"}, "must be a time"}}) {
     const Done done = run_program(pair.folder, pair.rig(options));
     INFO(done.err);
@@ -215,11 +217,33 @@ outputs: {current: {device: card, channel: drive, scale: 4 V/A, limits: [0 A, 2 
   const Done done = run_program(folder, {"io", "rig.yaml", "--set", "current=5A", "--duration", "0.3"});
   INFO(done.err << done.out);
   CHECK(done.code == 0);
-  CHECK_THAT(done.out, Contains("force 2\n") && Contains("output current was held at its limits"));
+  CHECK_THAT(done.out, Contains("  force 2 N\n") && Contains("output current was held at its limits"));
   const auto drive = stepwire::table::read_csv(folder.path("out.csv")).find("drive")->values;
   CHECK(*std::ranges::max_element(drive) == 8.0);
   CHECK(drive.back() == 0.0);
-  CHECK(run_program(folder, {"io", "rig.yaml", "--set", "curent=5A"}).code == 2);
+  for (const auto& [set, text] : std::vector<std::pair<std::string, std::string>>{
+           {"curent=5A", "must be an output of the rig with a value"},
+           {"current=0.5", "has no unit; current is in A: current=0.05A"},
+           {"current=5V", "current is in A"}}) {
+    const Done refused = run_program(folder, {"io", "rig.yaml", "--set", set});
+    CHECK(refused.code == 2);
+    CHECK_THAT(refused.err, Contains(text));
+  }
+}
+
+TEST_CASE("an angle is shown in rad, a pure number without a unit, and a missing record with its path") {
+  const Scratch folder;
+  folder.file("in.csv", "time [s],turn [deg],knob\n0,180,0.5\n9,180,0.5\n");
+  const auto rig = [&](const std::string& record) {
+    folder.file("rig.yaml", "devices: {card: {driver: file, pace: reads, play: " + record +
+                                "}}\ninputs: {angle: {device: card, channel: turn}, knob: {device: card, "
+                                "channel: knob}}\n");
+    return run_program(folder, {"io", "rig.yaml", "--duration", "0.02"});
+  };
+  CHECK_THAT(rig("in.csv").out, Contains("  angle 3.14159 rad  knob 0.5\n"));
+  const Done done = rig("none.csv");
+  CHECK(done.code == 3);
+  CHECK_THAT(done.err, Contains("the record none.csv does not exist"));
 }
 
 TEST_CASE("the check for real time has a cure for each weak line") {

@@ -126,4 +126,100 @@ TEST_CASE("a card that counts four edges of a line gives lines") {
   CHECK(lines == 2.5);
 }
 
+TEST_CASE("a counter of NI is configured for its multiplication and gives the same lines for each") {
+  for (const int multiplication : {1, 2, 4}) {
+    FakeCard& card = fresh_card();
+    card.name = "ni_pcimio";
+    OpenDevice device(load_driver(driver_file("comedi")),
+                      with_library({{"inputs", "enc1"}, {"multiplication", std::to_string(multiplication)}}));
+    CHECK_FALSE(card.ni[1].armed);
+    device.start(1'000'000, nullptr);
+    CHECK_FALSE(card.ni[0].armed);
+    CHECK(card.ni[1].lines[0] == 4);  // PFI 3, 11 and 4, whose numbers begin at 1 and have a gap after 9
+    CHECK(card.ni[1].lines[1] == 22);
+    CHECK(card.ni[1].lines[2] == 5);
+    double lines = 0.0;
+    for (const auto& [quarters, expected] : {std::pair{4000, 1000.0}, {-12000, -2000.0}}) {
+      card.ni[1].move(quarters, 4096);
+      CHECK(device.read(&lines) == STEPWIRE_OK);
+      CHECK(lines == expected);
+    }
+    CHECK_THAT(device.report(), Contains(multiplication == 1 ? "counters count 1 edge of each line"
+                                                             : std::to_string(multiplication) + " edges"));
+  }
+}
+
+TEST_CASE("from the first index pulse on lines count from it, over several turns in both directions") {
+  FakeCard& card = fresh_card();
+  card.name = "ni_660x";
+  card.counts_encoders = false;  // its counters have lines of their own
+  OpenDevice device(
+      load_driver(driver_file("comedi")),
+      with_library(
+          {{"inputs", "index0, enc0"}, {"index", "enc0"}, {"lines", "1000"}, {"multiplication", "4"}}));
+  device.start(1'000'000, nullptr);
+  FakeCounter& counter = card.ni[0];
+  counter.place = -400;  // in quarters, before the pulse
+  double seen[2] = {};
+  const auto check = [&](long quarters, double index, double lines) {
+    counter.move(quarters, 4000);
+    CHECK(device.read(seen) == STEPWIRE_OK);
+    CHECK(seen[0] == index);
+    CHECK(seen[1] == lines);
+  };
+  check(0, 0.0, 0.0);
+  check(200, 0.0, 50.0);
+  check(300, 1.0, 25.0);  // by the place of the encoder: -400 + 200 + 300 = 100 quarters
+  for (int i = 1; i <= 12; ++i) check(1000, 1.0, 25.0 + 250.0 * i);
+  for (int i = 11; i >= -12; --i) check(-1000, 1.0, 25.0 + 250.0 * i);
+}
+
+TEST_CASE("edges that were lost are found again at the index pulse") {
+  FakeCard& card = fresh_card();
+  card.name = "ni_pcimio";
+  OpenDevice device(load_driver(driver_file("comedi")),
+                    with_library({{"inputs", "enc0"}, {"index", "enc0"}, {"lines", "100"}}));
+  device.start(1'000'000, nullptr);
+  double lines = 0.0;
+  card.ni[0].move(400, 400);
+  device.read(&lines);
+  CHECK(lines == 0.0);
+  card.ni[0].move(200, 400);
+  card.ni[0].number -= 3;
+  device.read(&lines);
+  CHECK(lines == 47.0);
+  for (const double expected : {77.0, 110.0}) {
+    card.ni[0].move(120, 400);
+    device.read(&lines);
+    CHECK(lines == expected);
+  }
+}
+
+TEST_CASE("an index that the card cannot use is refused before anything is set") {
+  FakeCard& card = fresh_card();
+  const Settings index = with_library({{"inputs", "enc0"}, {"index", "enc0"}, {"lines", "1024"}});
+  CHECK_THAT(refusal_of(index),
+             Contains("'index' needs a card of NI (ni_pcimio, ni_660x); the kernel driver s626"));
+  CHECK(card.counter[0] == 0);
+  card.name = "ni_pcimio";
+  CHECK(refusal_of(index).empty());
+  CHECK_THAT(refusal_of(with_library({{"inputs", "enc0"}, {"index", "enc0"}})),
+             Contains("'lines' is the number of"));
+  CHECK_THAT(refusal_of(with_library({{"inputs", "enc0"}, {"index", "enc0"}, {"lines", "10.5"}})),
+             Contains("'lines' is a whole number"));
+  CHECK_THAT(refusal_of(with_library({{"inputs", "enc0"}, {"index", "adc0"}, {"lines", "10"}})),
+             Contains("'index' names encoders among 'inputs'"));
+  CHECK_THAT(refusal_of(with_library({{"inputs", "enc0, index0"}})), Contains("'index0' needs enc0 among"));
+  CHECK_THAT(refusal_of(with_library({{"inputs", "enc2"}})), Contains("the card has no channel 'enc2'"));
+}
+
+TEST_CASE("a card of NI that cannot count encoders is told at the start") {
+  FakeCard& card = fresh_card();
+  card.name = "ni_pcimio";
+  card.counts_encoders = false;  // as the E series
+  OpenDevice device(load_driver(driver_file("comedi")), with_library({{"inputs", "enc0"}}));
+  CHECK_THROWS_WITH(device.start(1'000'000, nullptr),
+                    Contains("refuses to let its counter count an encoder"));
+}
+
 }  // namespace stepwire::driver

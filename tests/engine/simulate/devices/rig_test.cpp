@@ -1,10 +1,12 @@
 // From a rig file to channels: what is refused, and the numbers that pass between a diagram and the driver
 // `file`.
+#include <unistd.h>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "engine/base/table/table_file.hpp"
+#include "engine/simulate/devices/hosted_plant.hpp"
 #include "engine/simulate/devices/wired_device.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 #include "tests/support/plan_text.hpp"
@@ -191,6 +193,40 @@ TEST_CASE("two outputs of one channel and an output without a safe value are ref
   angle.1: {device: card, channel: drive, scale: 2 V, limits: [0, 1]}
 )");
   CHECK_THAT(one.faults(), Contains("outputs.angle.1: the channel 'drive' has another output already"));
+}
+
+TEST_CASE("a fault of a rig in software lasts from its time to its end, or for good") {
+  const auto plan = stepwire::plan_text(R"(inputs: {push: {default: 0}}
+outputs: {place: {signal: slide, safe: 0}}
+blocks: {slide: {block: Gain, gain: 1, u: push}}
+record: [slide]
+)");
+  for (const auto& [fault, expected] : std::vector<std::pair<std::string, std::vector<double>>>{
+           {"stuck:place@0.02s..0.04s", {0, 1, 1, 1, 4, 5}},
+           {"jump:place=10@0.02s..30ms", {0, 1, 12, 3, 4, 5}},
+           {"unplug@0.02s..0.04s", {0, 1, 1, 1, 4, 5}},
+           {"unplug@0.02s", {0, 1, 1, 1, 1, 1}}}) {
+    PlantCall call;
+    call.driver = "shared";
+    call.settings = {{"name", "stepwire-fault-test-" + std::to_string(::getpid())}};
+    call.inhibit = 20.0;
+    call.faults = {fault};
+    HostedPlant plant(call, plan, 0.01);
+    driver::OpenDevice client(driver::load_driver(driver::driver_file("shared")),
+                              {{"name", call.settings.front().second}, {"stale", "20 s"}});
+    const double safe = 0.0;
+    client.start(10'000'000, &safe);
+    std::vector<double> seen;
+    for (int i = 0; i < 6; ++i) {
+      double push = 0.0;
+      const double place = i;
+      plant.read(&push);
+      plant.write(&place);
+      client.read(&seen.emplace_back());
+    }
+    INFO(fault);
+    CHECK(seen == expected);
+  }
 }
 
 }  // namespace stepwire::devices
