@@ -78,6 +78,7 @@ void GuardProcess::await_turn() {
 }
 
 /// Inputs are read three quarters of a period after a command, so that they are new when the loop wakes.
+/// Where the wake-ups for that come too late, commands do not put a read off for more than two periods.
 std::int64_t GuardProcess::next_turn() const {
   return active_ ? std::min(next_read_, watch_.next_check() + 1) : next_read_;
 }
@@ -98,7 +99,7 @@ void GuardProcess::take_command(std::int64_t now) {
   const GuardRequest request = link_.request();
   finished_ = request == GuardRequest::finish || request == GuardRequest::gone;
   active_ = request == GuardRequest::command;
-  next_read_ = now + 3 * call_.limits.period / 4;
+  next_read_ = std::min(now + 3 * call_.limits.period / 4, last_read_ + 3 * call_.limits.period / 2);
   if (!active_) {
     watch_.rest();
     bank_.safe();
@@ -113,6 +114,7 @@ void GuardProcess::read_devices(std::int64_t now) {
   watch_.sensed(now, inputs_.data());
   link_.inputs().put(inputs_.data());
   link_.note_read(now);
+  last_read_ = now;
   next_read_ = now + call_.limits.period / 2;
 }
 

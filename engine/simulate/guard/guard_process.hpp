@@ -37,7 +37,7 @@ class GuardProcess {
   Watch watch_;
   Bank bank_;
   std::vector<double> inputs_, commands_;
-  std::int64_t next_read_ = 0;
+  std::int64_t last_read_ = 0, next_read_ = 0;
   std::uint32_t seen_ = 0;
   bool announced_ = false, active_ = false, finished_ = false;
   std::thread life_watch_;  ///< sleeps until the loop has ended

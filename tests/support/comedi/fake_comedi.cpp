@@ -4,13 +4,81 @@
 // in a subdevice each, behind a counter of another kind.
 #include "tests/support/comedi/fake_comedi.hpp"
 
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <cstring>
+#include <ctime>
+
+#include "engine/drivers/shared/segment.h"
 
 namespace {
 
+/// Wires from the card to a rig in software.
+class Rig {
+ public:
+  bool joined() const { return segment_ != nullptr; }
+  /// Waits for the rig of this name, some seconds at most.
+  bool join(const char* name) {
+    for (int tries = 0; tries < 1000 && !joined(); ++tries) {
+      const int file = ::shm_open(name, O_RDWR | O_CLOEXEC, 0);
+      if (file >= 0 && ::lseek(file, 0, SEEK_END) == static_cast<off_t>(sizeof(stepwire_segment))) map(file);
+      if (file >= 0) ::close(file);
+      if (!joined()) ::usleep(10'000);
+    }
+    return joined();
+  }
+  /// Returns what the rig shows on a channel of this kind; `otherwise` without a wire.
+  double sensed(const char* kind, unsigned int channel, double otherwise) const {
+    double values[STEPWIRE_SEGMENT_MOST];
+    const std::uint32_t count = joined() ? segment_->to_client.count : 0;
+    const std::uint32_t at = joined() ? place(segment_->to_client_labels, count, kind, channel) : 0;
+    std::int64_t time = 0;
+    if (at == count || stepwire_get(&segment_->to_client, values, count, &time) == 0) return otherwise;
+    return values[at];
+  }
+  void command(const char* kind, unsigned int channel, double value) {
+    const std::uint32_t count = joined() ? segment_->to_host.count : 0;
+    const std::uint32_t at = joined() ? place(segment_->to_host_labels, count, kind, channel) : 0;
+    if (at == count) return;
+    commands_[at] = value;
+    timespec now{};
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+    stepwire_put(&segment_->to_host, commands_, count,
+                 std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec);
+  }
+
+ private:
+  void map(int file) {
+    void* const memory =
+        ::mmap(nullptr, sizeof(stepwire_segment), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    if (memory == MAP_FAILED) return;
+    auto* const segment = static_cast<stepwire_segment*>(memory);
+    if (__atomic_load_n(&segment->magic, __ATOMIC_ACQUIRE) == STEPWIRE_SEGMENT_MAGIC)
+      segment_ = segment;
+    else
+      ::munmap(memory, sizeof(stepwire_segment));
+  }
+  static std::uint32_t place(const stepwire_label* labels, std::uint32_t count, const char* kind,
+                             unsigned int channel) {
+    std::uint32_t at = 0;
+    while (at < count && !(std::strncmp(labels[at].name, kind, 3) == 0 &&
+                           std::strtoul(labels[at].name + 3, nullptr, 10) == channel))
+      ++at;
+    return at;
+  }
+
+  stepwire_segment* segment_ = nullptr;
+  double commands_[STEPWIRE_SEGMENT_MOST] = {};
+};
+
 FakeCard card;
+Rig rig;
 FakeRange spans[] = {{-5.0, 5.0, 0}, {-10.0, 10.0, 0}};
 
 constexpr int types[] = {1, 2, 5, 5, 5, 6}, counts[] = {16, 4, 16, 16, 16, 6};
@@ -38,6 +106,8 @@ FakeCard* fake_comedi_card() {
 
 void* comedi_open(const char* file) {
   if (std::strcmp(file, "/dev/comedi0") != 0) return nullptr;
+  const char* const name = std::getenv("FAKE_COMEDI_RIG");
+  if (name && !rig.join(name)) return nullptr;
   ++card.opened;
   return &card;
 }
@@ -76,9 +146,12 @@ int comedi_data_read(void*, unsigned int subdevice, unsigned int channel, unsign
                      unsigned int* raw) {
   if (card.unplugged) return -1;
   if (is_ni() && subdevice >= 4) return *raw = counter_of(subdevice).number, 1;
-  if (subdevice == 5) return *raw = card.counter[channel] & 0xffffffu, 1;
-  *raw = comedi_from_phys(std::clamp(card.volts_in[channel], spans[range].min, spans[range].max),
-                          &spans[range], 0xffff);
+  if (subdevice == 5) {
+    const double lines = rig.sensed("enc", channel, card.counter[channel]);
+    return *raw = static_cast<unsigned int>(std::llround(lines)) & 0xffffffu, 1;
+  }
+  const double volts = rig.sensed("adc", channel, card.volts_in[channel]);
+  *raw = comedi_from_phys(std::clamp(volts, spans[range].min, spans[range].max), &spans[range], 0xffff);
   return 1;
 }
 int comedi_data_write(void*, unsigned int subdevice, unsigned int channel, unsigned int, unsigned int,
@@ -90,6 +163,7 @@ int comedi_data_write(void*, unsigned int subdevice, unsigned int channel, unsig
     return 1;
   }
   card.volts_out[channel] = comedi_to_phys(raw, &spans[1], 0x3fff);
+  rig.command("dac", channel, card.volts_out[channel]);
   return 1;
 }
 int comedi_dio_config(void*, unsigned int subdevice, unsigned int channel, unsigned int direction) {

@@ -20,7 +20,9 @@ struct FakeCounter {
   }
 };
 
-/// Card of the fake libcomedi, as a test sees it: an s626, or one of NI by its name.
+/// Card of the fake libcomedi, as a test sees it: an s626, or one of NI by its name. Where the environment has
+/// FAKE_COMEDI_RIG, its wires go to the rig in software behind the shared memory of that name. Outputs of the
+/// rig such as adc0 and enc0 are what its channels read. An input such as dac0 gets what is written.
 struct FakeCard {
   const char* name = "s626";
   int opened = 0;

@@ -1,6 +1,8 @@
 // The guard of a loop: whatever ends or stops the loop, the outputs at the rig become the safe values.
 #include <catch2/catch.hpp>
 #include <csignal>
+#include <cstdlib>
+#include <filesystem>
 
 #include "tests/engine/app/cli/processes.hpp"
 #include "tests/engine/app/cli/program.hpp"
@@ -117,6 +119,26 @@ TEST_CASE("a rig that offers nothing new ends the loop") {
   CHECK(one.loop->end() == 3);  // the rig does no step meanwhile
   CHECK_THAT(one.errors(), Contains("the device has no new values"));
   CHECK(one.rig.step(1.0) == safe);
+}
+
+TEST_CASE("a guarded loop rests while the program of its baseline runs, much longer than it may be late") {
+  Guarded one;
+  REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
+  one.loop->send(SIGINT);
+  CHECK(one.loop->end() == 130);
+  one.folder.file("cyclictest", "#!/bin/sh\nsleep 1\necho '000007 000006'\n");
+  std::filesystem::permissions(one.folder.path("cyclictest"), std::filesystem::perms::owner_all);
+  const std::string path = one.folder.path("") + ":" + std::getenv("PATH");
+  stepwire::Beside loop("/usr/bin/env",
+                        {"PATH=" + path, STEPWIRE_PROGRAM, "loop", "a.yaml", "--io", "rig.yaml", "--rate",
+                         "100", "--duration", "2", "--policy", "other", "--baseline"},
+                        one.folder.path(""));
+  for (int slice = 0; slice < 2; ++slice) {
+    REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
+    CHECK(one.rig.steps_until(safe, 3000) <= 3000);
+  }
+  CHECK(loop.end() == 0);
+  CHECK(one.errors().empty());
 }
 
 TEST_CASE("a guard that cannot start says why, and nothing moves") {

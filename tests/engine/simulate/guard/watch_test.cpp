@@ -1,10 +1,15 @@
 // Every fault of a loop or a rig leads to the safe values, at an instant that follows from the limits alone.
 #include "engine/simulate/guard/watch.hpp"
 
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
+
+#include "engine/simulate/guard/running_guard.hpp"
+#include "tests/support/rig_host.hpp"
 
 namespace stepwire::guard {
 namespace {
@@ -220,6 +225,29 @@ TEST_CASE("between two parts of a loop the outputs rest at their safe values wit
   fed.now += 1'000 * ms;
   fed.step(0.4);
   CHECK(fed.coil() == 0.4);
+}
+
+// Commands come much faster than the period, as they do where each wake-up of the guard for its inputs is
+// late.
+TEST_CASE("commands do not keep a guard from its inputs") {
+  const std::string name = "stepwire-test-reads-" + std::to_string(::getpid());
+  RigHost rig(name);
+  rig.step(1.0);
+  GuardCall call{
+      {{"rig", "shared", driver::driver_file("shared"), {{"name", name}, {"stale", "100 s"}}}}, {true}, {}};
+  call.limits.period = 200 * ms;
+  call.limits.late = 100'000 * ms;
+  call.limits.inputs = {{"rig.force"}};
+  call.limits.outputs = {{"rig.current"}};
+  RunningGuard guard(call);
+  const double current = 0.5;
+  double force = 0.0;
+  for (int step = 0; step < 1000 && force != 2.0; ++step) {
+    REQUIRE(guard.command(&current));
+    rig.step(2.0);
+    REQUIRE(guard.inputs(&force));
+  }
+  CHECK(force == 2.0);
 }
 
 }  // namespace stepwire::guard
