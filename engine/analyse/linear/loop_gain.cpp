@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "engine/analyse/linear/gain_at_rest.hpp"
 
@@ -116,25 +118,72 @@ bool LoopGain::is_rounding(const Row& row) const {
          std::abs(row.value.imag()) <= 1e-7 * std::abs(row.value.real());
 }
 
-std::vector<LoopGain::Row> LoopGain::negative() const {
+/// True where a chain of delays may turn by more than 0.5 rad from a row to the next one.
+bool LoopGain::turns_unseen(std::size_t row) const {
+  return (rows_[row + 1].frequency - rows_[row].frequency) * response_.delay_of_chain() > 0.5;
+}
+
+/// Returns the angle of L at a frequency beyond a row, followed through the turns of the delays between.
+double LoopGain::angle_after(const Row& row, double frequency) const {
+  const double turned = (frequency - row.frequency) * response_.delay_of_chain();
+  const Complex rest = at(frequency) / row.value * std::polar(1.0, turned);
+  return std::arg(row.value) + std::arg(rest) - turned;
+}
+
+/// Returns the angles, odd multiples of pi, that L passes from a row to the next one.
+std::vector<double> LoopGain::half_turns(std::size_t row) const {
+  constexpr double pi = std::numbers::pi;
+  const double to = angle_after(rows_[row], rows_[row + 1].frequency);
+  std::vector<double> angles;
+  if (to > pi) angles.push_back(pi);
+  for (double angle = -pi; angle > to; angle -= 2.0 * pi) angles.push_back(angle);
+  return angles;
+}
+
+/// Adds the rows in intervals that the grid does not resolve, up to the last one that it does.
+void LoopGain::add_half_turns(Negative& found) const {
+  constexpr std::size_t most = 1000;
+  std::size_t end = rows_.size() - 1;
+  while (end > 0 && turns_unseen(end - 1)) --end;
+  if (end + 1 == rows_.size()) return;
+  found.last = rows_[end].frequency;
+  std::vector<std::pair<std::size_t, double>> all;
+  for (std::size_t k = 0; k < end; ++k)
+    if (turns_unseen(k))
+      for (const double angle : half_turns(k)) all.emplace_back(k, angle);
+  if (all.size() > most) {
+    found.left_out = all.size();
+    return;
+  }
+  for (const auto& [k, angle] : all) {
+    const auto beyond = [&, from = rows_[k], wanted = angle](double f) {
+      return wanted - angle_after(from, f);
+    };
+    const double w = find_zero(beyond, rows_[k].frequency, rows_[k + 1].frequency);
+    found.rows.push_back({w, at(w)});
+  }
+}
+
+LoopGain::Negative LoopGain::negative() const {
   const auto real = bands(is_negative_real);
-  std::vector<Row> found;
+  Negative found;
   for (const FrequencyBand& band : real) {
     const Row* nearest = nullptr;
     for (const Row& row : rows_)
       if (row.frequency >= band.from && row.frequency <= band.to)
         if (nearest == nullptr || std::abs(log_gain(row.value)) < std::abs(log_gain(nearest->value)))
           nearest = &row;
-    found.push_back(*nearest);
+    found.rows.push_back(*nearest);
   }
+  add_half_turns(found);
   for (std::size_t k = 0; k + 1 < rows_.size(); ++k) {
     const Row &row = rows_[k], &next = rows_[k + 1];
-    if ((row.value.imag() < 0.0) == (next.value.imag() < 0.0)) continue;
+    if ((row.value.imag() < 0.0) == (next.value.imag() < 0.0) || turns_unseen(k)) continue;
     if (within(real, row.frequency, next.frequency) || is_rounding(row) || is_rounding(next)) continue;
     const double w = find_zero([&](double f) { return at(f).imag(); }, row.frequency, next.frequency);
-    found.push_back({w, at(w)});
+    found.rows.push_back({w, at(w)});
   }
-  std::ranges::sort(found, {}, &Row::frequency);
+  std::ranges::sort(found.rows, {}, &Row::frequency);
   return found;
 }
 
