@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "engine/analyse/linear/gain_at_rest.hpp"
 
@@ -130,38 +129,38 @@ double LoopGain::angle_after(const Row& row, double frequency) const {
   return std::arg(row.value) + std::arg(rest) - turned;
 }
 
-/// Returns the angles, odd multiples of pi, that L passes from a row to the next one.
-std::vector<double> LoopGain::half_turns(std::size_t row) const {
+/// Returns how often L is real and negative between a row and the next one.
+double LoopGain::half_turns(std::size_t row) const {
   constexpr double pi = std::numbers::pi;
   const double to = angle_after(rows_[row], rows_[row + 1].frequency);
-  std::vector<double> angles;
-  if (to > pi) angles.push_back(pi);
-  for (double angle = -pi; angle > to; angle -= 2.0 * pi) angles.push_back(angle);
-  return angles;
+  if (to > pi) return 1.0;
+  return to < -pi ? std::floor((-pi - to) / (2.0 * pi)) + 1.0 : 0.0;
+}
+
+/// Returns the row of the `index`-th time, from 0.
+LoopGain::Row LoopGain::half_turn(std::size_t row, double index) const {
+  constexpr double pi = std::numbers::pi;
+  const Row &first = rows_[row], &next = rows_[row + 1];
+  const double angle = angle_after(first, next.frequency) > pi ? pi : -pi - 2.0 * pi * index;
+  const double w =
+      find_zero([&](double f) { return angle - angle_after(first, f); }, first.frequency, next.frequency);
+  return {w, at(w)};
 }
 
 /// Adds the rows in intervals that the grid does not resolve, up to the last one that it does.
 void LoopGain::add_half_turns(Negative& found) const {
-  constexpr std::size_t most = 1000;
+  constexpr double most = 1000.0;
   std::size_t end = rows_.size() - 1;
   while (end > 0 && turns_unseen(end - 1)) --end;
   if (end + 1 == rows_.size()) return;
   found.last = rows_[end].frequency;
-  std::vector<std::pair<std::size_t, double>> all;
+  double all = 0.0;
   for (std::size_t k = 0; k < end; ++k)
-    if (turns_unseen(k))
-      for (const double angle : half_turns(k)) all.emplace_back(k, angle);
-  if (all.size() > most) {
-    found.left_out = all.size();
-    return;
-  }
-  for (const auto& [k, angle] : all) {
-    const auto beyond = [&, from = rows_[k], wanted = angle](double f) {
-      return wanted - angle_after(from, f);
-    };
-    const double w = find_zero(beyond, rows_[k].frequency, rows_[k + 1].frequency);
-    found.rows.push_back({w, at(w)});
-  }
+    if (turns_unseen(k)) all += half_turns(k);
+  if (all > most) found.left_out = static_cast<std::size_t>(std::min(all, 1e18));
+  for (std::size_t k = 0; k < end && all <= most; ++k)
+    for (double i = 0.0; turns_unseen(k) && i < half_turns(k); i += 1.0)
+      found.rows.push_back(half_turn(k, i));
 }
 
 LoopGain::Negative LoopGain::negative() const {

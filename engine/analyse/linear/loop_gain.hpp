@@ -62,7 +62,8 @@ class LoopGain {
   bool is_rounding(const Row& row) const;
   bool turns_unseen(std::size_t row) const;
   double angle_after(const Row& row, double frequency) const;
-  std::vector<double> half_turns(std::size_t row) const;
+  double half_turns(std::size_t row) const;
+  Row half_turn(std::size_t row, double index) const;
   void add_half_turns(Negative& found) const;
 
   FrequencyResponse response_;
