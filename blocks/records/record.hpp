@@ -25,6 +25,7 @@ struct RecordColumn {
 struct Record {
   std::string file;                   ///< for messages
   std::string time_name;              ///< column with the times, for messages
+  double origin = 0.0;                ///< time of the file at which `time` is 0 [s]
   std::vector<double> time;           ///< of each row [s], increasing, with two equal ones at a jump
   std::vector<RecordColumn> columns;  ///< as long as `time` each
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "blocks/records/row_order.hpp"
@@ -126,54 +127,96 @@ double rounding_of(const std::vector<double>& values, const std::vector<std::siz
   return std::max(std::abs(first), std::abs(last)) * std::numeric_limits<double>::epsilon() / interval;
 }
 
-/// Returns the beginning that is taken off the times of a file, in their unit. It is 0, except for times such
-/// as those since 1970, whose rounding in seconds would move rows. It is that of all columns of a file,
-/// whichever rows they leave out. Refuses times whose own rounding does; whole numbers have none.
-double beginning_of(const FromFile& asked, const Configure& is, const table::Column& column,
-                    const RowOrder& order, std::vector<std::string>& notes) {
-  constexpr double moves = 1e-6, is_lost = 1e-4;
-  const std::vector<std::size_t>& rows = order.rows;
-  const double rounding = rounding_of(column.values, rows);
-  if (!(rounding > moves)) return 0.0;
-  double first = column.values[rows.front()];
-  for (const std::size_t row : order.left_out) first = std::min(first, column.values[row]);
-  const bool whole = std::ranges::all_of(
-      rows, [&](std::size_t row) { return column.values[row] == std::round(column.values[row]); });
-  if (!whole && rounding > is_lost)
+/// Row whose time is taken off the times of a file. It is that of all columns of a file, whichever rows they
+/// leave out.
+struct Beginning {
+  std::optional<std::size_t> row;  ///< std::nullopt: times are those of the file
+  bool counts = false;             ///< True if keys of the block count from it, too.
+};
+
+/// Returns the unit of a column of times, for messages.
+std::string unit_of_time(const table::Column& column) {
+  return column.unit.empty() ? "s" : column.unit;
+}
+
+/// Refuses times whose own rounding would move rows. Whole numbers and those of a text have none.
+void refuse_lost(const FromFile& asked, const Configure& is, const table::RecordTable& table,
+                 const table::Column& column, const std::vector<std::size_t>& rows) {
+  constexpr double is_lost = 1e-4;
+  const bool exact = table.rests.contains(column.name) || std::ranges::all_of(rows, [&](std::size_t row) {
+                       return column.values[row] == std::round(column.values[row]);
+                     });
+  if (!exact && rounding_of(column.values, rows) > is_lost)
     is.refuse<&FromFile::time>(
         fmt::format("{}: the times from {:.17g} {} on have too few digits for rows that are this close; let "
                     "them begin at "
                     "0, or give sample_time",
-                    asked.file.string(), first, column.unit.empty() ? "s" : column.unit));
-  notes.push_back(fmt::format("times count from the first row, {:.17g} {}", first,
-                              column.unit.empty() ? "s" : column.unit));
-  return first;
+                    asked.file.string(), column.values[rows.front()], unit_of_time(column)));
+}
+
+/// Returns the beginning of times such as those since 1970. Their rounding in seconds would move rows, or
+/// change the values between them.
+Beginning beginning_of(const FromFile& asked, const Configure& is, const table::RecordTable& table,
+                       const table::Column& column, RowOrder& order) {
+  constexpr double moves = 1e-6, changes = 1e-9, late = 1e6;
+  if (order.rows.empty()) return {};
+  const double rounding = rounding_of(column.values, order.rows);
+  const auto time_of = [&](std::size_t row) { return column.values[row]; };
+  std::size_t first = order.rows.front();
+  for (const std::size_t row : order.left_out)
+    if (time_of(row) < time_of(first)) first = row;
+  if (!(rounding > changes || std::abs(time_of(first)) > late)) return {};
+  refuse_lost(asked, is, table, column, order.rows);
+  const bool counts = rounding > moves;
+  if (counts)
+    order.notes.push_back(
+        fmt::format("times count from the first row, {:.17g} {}", time_of(first), unit_of_time(column)));
+  return {first, counts};
 }
 
 /// Times of the rows in use and of those that are left out, in the order of each list [s].
 struct RowTimes {
   std::vector<double> used, left_out;
+  double origin = 0.0;  ///< time of the file at which these times are 0 [s]
 };
 
-/// Returns the times of rows. A column without a unit is in seconds.
-RowTimes times(const FromFile& asked, const Configure& is, const table::Column* column, RowOrder& order) {
+/// Function that returns the time of a row [s], and the time of the file at which it is 0 [s].
+struct TimeOfRow {
+  std::function<double(std::size_t)> time;
+  double origin = 0.0;
+};
+
+/// Returns the time of each row by its column. A column without a unit is in seconds.
+TimeOfRow time_of_row(const FromFile& asked, const Configure& is, const table::RecordTable& table,
+                      const table::Column& column, RowOrder& order) {
+  const unit::Unit unit = read_unit<&FromFile::time>(is, unit_of_time(column));
+  if (unit.dimension != time_dimension)
+    is.refuse<&FromFile::time>(
+        fmt::format("column '{}' is in {}, not in a unit of time", column.name, column.unit));
+  const Beginning beginning = beginning_of(asked, is, table, column, order);
+  const std::vector<double>& values = column.values;
+  if (!beginning.row) return {[&values, unit](std::size_t row) { return unit.to_si(values[row]); }};
+  const auto known = table.rests.find(column.name);
+  const std::vector<double>* const rests = known == table.rests.end() ? nullptr : &known->second;
+  const auto rest = [rests](std::size_t row) { return rests && row < rests->size() ? (*rests)[row] : 0.0; };
+  const auto since = [=, &values, first = *beginning.row](std::size_t row) {
+    return unit.to_si((values[row] - values[first]) + (rest(row) - rest(first)));
+  };
+  return {since, beginning.counts ? 0.0 : unit.to_si(values[*beginning.row])};
+}
+
+/// Returns the times of rows.
+RowTimes times(const FromFile& asked, const Configure& is, const table::RecordTable& table,
+               const table::Column* column, RowOrder& order) {
   const auto each = [](const std::vector<std::size_t>& rows, const auto& time_of) {
     std::vector<double> result;
     result.reserve(rows.size());
     for (const std::size_t row : rows) result.push_back(time_of(row));
     return result;
   };
-  if (!column) {
-    const auto even = [&](std::size_t row) { return asked.sample_time * static_cast<double>(row); };
-    return {each(order.rows, even), each(order.left_out, even)};
-  }
-  const unit::Unit unit = read_unit<&FromFile::time>(is, column->unit.empty() ? "s" : column->unit);
-  if (unit.dimension != time_dimension)
-    is.refuse<&FromFile::time>(
-        fmt::format("column '{}' is in {}, not in a unit of time", column->name, column->unit));
-  const double beginning = order.rows.empty() ? 0.0 : beginning_of(asked, is, *column, order, order.notes);
-  const auto given = [&](std::size_t row) { return unit.to_si(column->values[row] - beginning); };
-  return {each(order.rows, given), each(order.left_out, given)};
+  const auto even = [&](std::size_t row) { return asked.sample_time * static_cast<double>(row); };
+  const TimeOfRow of = column ? time_of_row(asked, is, table, *column, order) : TimeOfRow{even};
+  return {each(order.rows, of.time), each(order.left_out, of.time), of.origin};
 }
 
 /// Returns the unit of a column: that of the block's key, else of the header, else SI. A name with another
@@ -223,12 +266,14 @@ CutRows cut(const FromFile& asked, const Configure& is, const std::vector<double
     is.refuse<&FromFile::file>(fmt::format("{} has {} in use; two or more are needed", record.file,
                                            text::counted(time.size(), "row")));
   const double slack = 1e-6 * (time.back() - time.front()) / static_cast<double>(time.size());
-  const auto below = [&](double limit) { return std::lower_bound(time.begin(), time.end(), limit); };
+  const auto below = [&](double limit) {
+    return std::lower_bound(time.begin(), time.end(), limit - record.origin);
+  };
   const auto first = below(asked.from - slack), end = below(asked.to + slack);
   if (end - first < 2)
     is.refuse<&FromFile::file>(fmt::format("{} has {} in use, from {} s to {} s; two or more are needed",
                                            record.file, text::counted(std::max<Index>(end - first, 0), "row"),
-                                           time.front(), time.back()));
+                                           time.front() + record.origin, time.back() + record.origin));
   record.time = record.file_times = std::vector<double>(first, end);
   record.file_rows = {rows.begin() + (first - time.begin()), rows.begin() + (end - time.begin())};
   if (!(record.interval() >= shortest && *first >= -longest && record.time.back() <= longest))
@@ -273,10 +318,11 @@ GapsAtEnds gaps_of(const FromFile& asked, const Record& record,
                    const std::vector<double>& times) {
   GapsAtEnds gaps;
   const double slack = 1e-6 * record.interval();
+  const double begins = record.time.front() + record.origin;
   double first = record.time.front() - slack;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    const double time = times[i];
-    if (time < asked.from - slack || time > asked.to + slack) continue;
+    const double time = times[i], in_file = time + record.origin;
+    if (in_file < asked.from - slack || in_file > asked.to + slack) continue;
     const std::size_t row = order.left_out[i];
     const auto missing = [row](const table::Column* column) { return std::isnan(column->values[row]); };
     const std::string place =
@@ -287,7 +333,7 @@ GapsAtEnds gaps_of(const FromFile& asked, const Record& record,
       gaps.late = fmt::format(
           "{} has no value at {} s, so that this record would begin at {} s and other columns of the file "
           "earlier; say `from: {} s` in all blocks of the file, or `start: {} s` in this one",
-          place, time, record.time.front(), record.time.front(), record.time.front());
+          place, in_file, begins, begins, begins);
     }
   }
   gaps.begin = record.time.front();
@@ -307,7 +353,8 @@ FileRecord read_file_record(const FromFile& asked, const Configure& is, const ta
   record.time_name = time_name(asked, table);
   record.table = &table;
   record.hold_missing = asked.missing == FromFile::Missing::hold;
-  const RowTimes all = times(asked, is, time, order);
+  const RowTimes all = times(asked, is, table, time, order);
+  record.origin = all.origin;
   const CutRows rows = cut(asked, is, all.used, order.rows, record);
   for (std::size_t i = 0; i < columns.size(); ++i)
     record.columns.push_back(read_column(asked, is, record, *columns[i], i, rows));

@@ -27,19 +27,19 @@ struct Literal<BandLimited> {
 
 namespace {
 
-void require_start(const FromFile& block, const Configure& is) {
-  if (std::abs(block.offset) > 1e12)
+void require_start(const FromFile& block, const Configure& is, double origin) {
+  if (std::abs(block.offset + origin) > 1e12)
     is.refuse<&FromFile::start_>(
-        fmt::format("{} s is no time of a record; stay within 1e12 s", block.offset));
+        fmt::format("{} s is no time of a record; stay within 1e12 s", block.offset + origin));
 }
 
-void require_inside(const FromFile& block, const Configure& is) {
+void require_inside(const FromFile& block, const Configure& is, double origin) {
   const Samples& samples = block.samples;
   const double slack = samples.slack();
   if (block.offset < samples.begin() - slack || block.offset > samples.end() + slack)
     is.refuse<&FromFile::start_>(fmt::format("{} s is not in the record, which goes from {} s to {} s in {}",
-                                             block.offset, samples.begin(), samples.end(),
-                                             block.file.string()));
+                                             block.offset + origin, samples.begin() + origin,
+                                             samples.end() + origin, block.file.string()));
 }
 
 }  // namespace
@@ -54,12 +54,12 @@ void FromFile::configure(Configure& is) {
   samples = record->samples;
   smooth = record->smooth;
   is.size("n", static_cast<Index>(column.size()));
-  offset = start_ == -open ? samples.begin() : start_;
+  offset = start_ == -open ? samples.begin() : start_ - record->origin;
   const bool periodic = interpolation == Interpolation::band_limited || after_end == AfterEnd::repeat;
   if (start_ == -open && !record->late.empty()) is.refuse<&FromFile::missing>(record->late);
   if (periodic && !record->uneven.empty()) is.refuse<&FromFile::missing>(record->uneven);
-  require_start(*this, is);
-  if (!periodic) require_inside(*this, is);
+  require_start(*this, is, record->origin);
+  if (!periodic) require_inside(*this, is, record->origin);
   configure_own_time(*this, is, !periodic && after_end == AfterEnd::refuse);
   if (interpolation == Interpolation::hold || samples.has_jumps()) return;
   is.smooth();

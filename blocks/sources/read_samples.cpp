@@ -61,8 +61,8 @@ void require_even(const FromFile& asked, const Configure& is, const Record& reco
         fmt::format("band_limited needs evenly spaced rows, but in {} the row at {} s does not fit the mean "
                     "interval of {} s; "
                     "use linear, or prepare: [{{resample: {:.6g} s}}]",
-                    asked.file.string(), record.time[static_cast<std::size_t>(*row)], record.interval(),
-                    record.interval()));
+                    asked.file.string(), record.time[static_cast<std::size_t>(*row)] + record.origin,
+                    record.interval(), record.interval()));
 }
 
 PlayedRecord played(const FromFile& asked, const Configure& is,
@@ -73,6 +73,7 @@ PlayedRecord played(const FromFile& asked, const Configure& is,
     is.refuse<&FromFile::prepare_>(message, where);
   });
   PlayedRecord result{table, samples_of(record), {}, unit_of(record), table->notes};
+  result.origin = record.origin;
   if (result.samples.begin() <= read.gaps.begin + result.samples.slack()) result.late = read.gaps.late;
   if (!read.gaps.any.empty() && !asked.prepare_.value().list())
     result.uneven = fmt::format(

@@ -18,6 +18,7 @@ struct PlayedRecord {
   std::optional<std::string> unit;   ///< set if all columns have the same one
   std::vector<std::string> notes{};  ///< how the file was read, for the user
   std::string late{};                ///< refusal of a start that rows without a value move; else empty
+  double origin = 0.0;               ///< time of the file at which those of the samples are 0 [s]
   std::string uneven{};              ///< refusal of a period that rows without a value change; else empty
 };
 

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "engine/analyse/claim/reduced_value.hpp"
 #include "engine/analyse/query/number.hpp"
 #include "engine/base/unit/meaning.hpp"
 
@@ -43,8 +44,8 @@ std::string handy(const std::string& si, double value) {
   return si;
 }
 
-/// Returns the first unit of this dimension after a number in a sentence: "mm" in "it ends at 5 mm". Empty if
-/// there is none.
+/// Returns the first unit of this dimension and meaning after a number in a sentence: "mm" in "it ends at 5
+/// mm". Empty if there is none.
 std::string unit_in(const std::string& sentence, const unit::Dimension& dimension) {
   constexpr std::string_view marks = ",;:.!?()";
   for (std::size_t at = sentence.find(' '); at != std::string::npos; at = sentence.find(' ', at + 1)) {
@@ -53,7 +54,8 @@ std::string unit_in(const std::string& sentence, const unit::Dimension& dimensio
       std::string word = sentence.substr(at + 1, end - at - 1);
       while (!word.empty() && marks.find(word.back()) != marks.npos) word.pop_back();
       const auto unit = word.empty() ? std::nullopt : unit::parse_unit(word);
-      if (unit && unit->dimension == dimension) return word;
+      if (unit && unit->dimension == dimension && unit::other_meaning(unit->dimension, dimension).empty())
+        return word;
     }
   }
   return {};
@@ -91,15 +93,6 @@ std::string holding_number(const Comparison& comparison, double value, const uni
   return query::short_number(in_unit, 17);
 }
 
-std::optional<unit::Dimension> value_dimension(const Claim& claim) {
-  return claim.values.empty() ? std::nullopt : claim.values.front().dimension;
-}
-
-std::optional<unit::Dimension> as_difference(std::optional<unit::Dimension> dimension) {
-  if (dimension && unit::is_temperature(*dimension)) dimension->zeros = 0.0;
-  return dimension;
-}
-
 }  // namespace
 
 double Comparison::margin(double value) const {
@@ -134,31 +127,14 @@ const std::vector<std::string>& reduction_names() {
 }
 
 std::optional<unit::Dimension> reduced_dimension(const Claim& claim) {
-  switch (claim.reduction) {
-    case Reduction::fraction:
-    case Reduction::fraction_of_runs:
-    case Reduction::count:
-    case Reduction::rising:
-    case Reduction::fit:
-    case Reduction::overshoot:
-      return unit::Dimension{};
-    case Reduction::rise_time:
-    case Reduction::settling_time:
-    case Reduction::peak_time:
-      return unit::parse_unit("s")->dimension;
-    case Reduction::iae:
-      if (claim.values.empty() || !claim.values.front().dimension) return std::nullopt;
-      return *claim.values.front().dimension * unit::parse_unit("s")->dimension;
-    case Reduction::spread:
-    case Reduction::rms:
-      return as_difference(value_dimension(claim));
-    default:
-      return value_dimension(claim);
-  }
+  return reduced_dimension(claim.reduction,
+                           claim.values.empty() ? std::nullopt : claim.values.front().dimension);
 }
 
 std::optional<unit::Dimension> difference_dimension(const Claim& claim) {
-  return as_difference(reduced_dimension(claim));
+  auto dimension = reduced_dimension(claim);
+  if (dimension && unit::is_temperature(*dimension)) dimension->zeros = 0.0;
+  return dimension;
 }
 
 std::string check_text(const Claim& claim, const std::string& time) {

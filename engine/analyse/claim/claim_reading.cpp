@@ -9,6 +9,7 @@
 #include "engine/analyse/claim/claim.hpp"
 #include "engine/analyse/claim/likeness.hpp"
 #include "engine/analyse/claim/reduce.hpp"
+#include "engine/analyse/claim/reduced_value.hpp"
 #include "engine/analyse/claim/run_formula.hpp"
 #include "engine/analyse/query/number.hpp"
 #include "engine/analyse/query/series.hpp"
@@ -19,13 +20,8 @@ using yaml::form;
 
 namespace {
 
-/// Range of the numbers that a reduction can return for any input; infinite where unbounded.
-struct ReducedRange {
-  double least, most;
-};
-
 /// True if a comparison accepts every number of a range.
-bool accepts(const Comparison& comparison, const ReducedRange& range) {
+bool accepts(const Comparison& comparison, const ReducedValue& range) {
   const double low = comparison.low, within = comparison.within;
   switch (comparison.kind) {
     case Comparison::Kind::at_most:
@@ -40,31 +36,6 @@ bool accepts(const Comparison& comparison, const ReducedRange& range) {
   return std::isfinite(range.most) && low - within <= range.least && low + within >= range.most;
 }
 
-ReducedRange reduced_range(Reduction reduction) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  switch (reduction) {
-    case Reduction::fraction:
-    case Reduction::fraction_of_runs:
-      return {0.0, 1.0};
-    case Reduction::rising:
-      return {-1.0, 1.0};
-    case Reduction::count:
-    case Reduction::rms:
-    case Reduction::spread:
-    case Reduction::overshoot:
-    case Reduction::rise_time:
-    case Reduction::settling_time:
-    case Reduction::peak_time:
-    case Reduction::iae:
-    case Reduction::steady_error:
-      return {0.0, infinity};
-    case Reduction::fit:
-      return {-infinity, 100.0};
-    default:
-      return {-infinity, infinity};
-  }
-}
-
 /// True for a formula that reads nothing of the run. Parameters count as part of the run, since they may be
 /// fitted. So do the values of figures, scenes and blocks: a claim about them can fail.
 bool names_nothing(const query::Formula& formula, const query::SymbolTable& names) {
@@ -74,14 +45,14 @@ bool names_nothing(const query::Formula& formula, const query::SymbolTable& name
          });
 }
 
-std::string range_text(const ReducedRange& range) {
+std::string range_text(const ReducedValue& range) {
   if (!std::isfinite(range.most)) return fmt::format("is {:g} or more", range.least);
   if (!std::isfinite(range.least)) return fmt::format("is {:g} or less", range.most);
   return fmt::format("lies between {:g} and {:g}", range.least, range.most);
 }
 
 /// Returns advice on a bound with which the claim can fail.
-std::string failing_limit(Comparison::Kind kind, const ReducedRange& range) {
+std::string failing_limit(Comparison::Kind kind, const ReducedValue& range) {
   switch (kind) {
     case Comparison::Kind::at_least:
       return fmt::format("give a number above {:g}", range.least);
@@ -105,7 +76,7 @@ void check_can_fail(const yaml::Node& node, const Claim& claim, const query::Nam
                fmt::format("'{}' names nothing that the run gives, so that nothing is judged of it; name a "
                            "recorded signal",
                            claim.values.front().text));
-  const ReducedRange range = reduced_range(claim.reduction);
+  const ReducedValue& range = reduced_value(claim.reduction);
   if (accepts(claim.comparison, range))
     yaml::below(read, compared)
         .fault(node.find(compared)->mark,
@@ -116,7 +87,8 @@ void check_can_fail(const yaml::Node& node, const Claim& claim, const query::Nam
 /// Adds a fault unless a number has the unit of the claim's value, or both are in SI.
 void check_unit(const query::WantedNumber& number, const yaml::Node& node, const Claim& claim,
                 const std::optional<unit::Dimension>& dimension, const query::NamesReading& read) {
-  query::check_dimension(number, dimension, "the claim's value", node, read.names, read.subject, read.faults);
+  query::check_dimension(number, {dimension, is_ratio(claim)}, "the claim's value", node, read.names,
+                         read.subject, read.faults);
   const bool has_unit =
       number.dimension && (*number.dimension != unit::Dimension{} || number.dimension->angle != 0.0);
   if (!has_unit || dimension || claim.values.empty()) return;
@@ -187,7 +159,7 @@ void read_within(Claim& claim, const yaml::Node& node, const query::NamesReading
   if (!number || comparison.kind != Comparison::Kind::equals) return;
   const bool relative = number->unit == "%";
   if (!relative) check_unit(*number, node, claim, difference_dimension(claim), read);
-  if (!relative) refuse_bare(node, (has_offset(comparison.unit) ? "delta_" : "") + comparison.unit, read);
+  if (!relative) refuse_bare(node, unit_of_difference(comparison.unit), read);
   if (relative && has_offset(comparison.unit))
     read.fault(node.mark,
                fmt::format("{} of a temperature in {} is a share of its kelvins; give a tolerance in K",
@@ -218,7 +190,7 @@ std::optional<query::Formula> read_with_unit(const yaml::Node& node, Claim& clai
                                              const query::NamesReading& read) {
   auto series = query::read_series(node, read.names, read.subject, read.faults);
   if (!series) return std::nullopt;
-  claim.comparison.unit = series->unit_text;
+  claim.comparison.unit = reduced_unit(claim.reduction, series->unit_text);
   series->formula.dimension = series->unit.dimension;
   return std::move(series->formula);
 }
@@ -240,9 +212,10 @@ std::optional<query::Formula> read_of_run_with_unit(const yaml::Node& node, Clai
     if (!unit) read.fault(node.mark, fmt::format("'{}' is no unit", text));
     return std::nullopt;
   }
-  query::check_dimension({0.0, unit->dimension, text, "the unit " + text}, value->dimension,
-                         "'" + formula.text + "'", node, read.names, read.subject, read.faults);
-  claim.comparison.unit = text;
+  query::check_dimension({0.0, unit->dimension, text, "the unit " + text},
+                         {value->dimension, value->is_ratio}, "'" + formula.text + "'", node, read.names,
+                         read.subject, read.faults);
+  claim.comparison.unit = reduced_unit(claim.reduction, text);
   value->dimension = unit->dimension;
   return value;
 }
@@ -292,6 +265,9 @@ void add_value(const yaml::Node& node, Claim& claim, const query::NamesReading& 
   if (!value) return;
   const bool counts = claim.reduction == Reduction::fraction || claim.reduction == Reduction::count ||
                       claim.reduction == Reduction::fraction_of_runs;
+  if (counts && names_unit(node) && claim.comparison.unit.empty())
+    return read.fault(node.mark, fmt::format("'{}' is a condition, which has no unit; leave out '{}'",
+                                             value->text, node.text.substr(node.text.rfind(" in ") + 1)));
   if (counts && value->dimension && *value->dimension != unit::Dimension{})
     return read.fault(node.mark,
                       fmt::format("'{}' is in {} and no condition; write what has to hold, such as '{} > 0'",

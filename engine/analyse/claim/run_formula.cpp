@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "engine/analyse/claim/reduced_value.hpp"
 #include "engine/analyse/query/names_reading.hpp"
 #include "engine/analyse/query/number.hpp"
 
@@ -153,8 +154,10 @@ class RunFormulaReader {
     refuse_rows(text);
     if (read_.faults.size() != before) return std::nullopt;
     query::SymbolTable names = outer_names();
-    for (std::size_t i = 0; i < formula_.names.size(); ++i)
+    for (std::size_t i = 0; i < formula_.names.size(); ++i) {
       names.columns.push_back({formula_.names[i], reduced_dimension(formula_.reductions[i]), {}});
+      names.columns.back().is_ratio = is_ratio(formula_.reductions[i]);
+    }
     auto formula = query::read_formula(node_, text, 0, names, read_.subject, read_.faults);
     if (!formula) return std::nullopt;
     formula_.formula = std::move(*formula);
@@ -230,7 +233,8 @@ class RunFormulaReader {
     const auto number = query::read_number(node, read_.names, read_.subject, read_.faults);
     if (!number) return;
     const bool is_time = one.reduction == Reduction::at;
-    query::check_dimension(*number, is_time ? unit::parse_unit("s")->dimension : unit::Dimension{},
+    query::check_dimension(*number,
+                           {is_time ? unit::parse_unit("s")->dimension : unit::Dimension{}, !is_time},
                            is_time ? "a time" : "a share", node, read_.names, read_.subject, read_.faults);
     if (!is_time && !(number->value >= 0.0 && number->value <= 1.0))
       read_.fault(node.mark, fmt::format("the share {} is not within 0 and 1", node.text));

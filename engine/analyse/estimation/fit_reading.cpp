@@ -37,7 +37,7 @@ using ParameterTable = yaml::KeyTable<FitParameter, FitReading>;
 double number(const yaml::Node& node, FitParameter& parameter, const FitReading& read) {
   const auto found = query::read_number(node, read.names, read.subject, read.faults);
   if (!found) return 0.0;
-  query::check_dimension(*found, parameter.dimension, "the parameter", node, read.names, read.subject,
+  query::check_dimension(*found, {parameter.dimension}, "the parameter", node, read.names, read.subject,
                          read.faults);
   if (!parameter.dimension) parameter.dimension = found->dimension;
   if (parameter.unit.empty()) parameter.unit = found->unit;

@@ -28,9 +28,9 @@ struct Found {
 
 /// A column of an analysis: suffix of its name, unit, and function of its numbers.
 struct Column {
-  enum class Unit { none, per_second, second, own };
+  enum class Unit { ratio, radian, per_second, second, own, place };  ///< place: of a pole or zero
   const char* name;
-  Unit unit = Unit::none;
+  Unit unit = Unit::ratio;
   std::vector<double> (*numbers)(const Found& found);
 };
 
@@ -90,63 +90,63 @@ using Unit = Column::Unit;
 // In the order of the page.
 const std::vector<Column>& columns() {
   static const std::vector<Column> all{
-      {"", Unit::none, [](const Found&) { return std::vector<double>{1.0}; }},
-      {".margin.gain", Unit::none, [](const Found& f) { return std::vector{f.margins().gain_margin()}; }},
-      {".margin.gain_db", Unit::none,
+      {"", Unit::ratio, [](const Found&) { return std::vector<double>{1.0}; }},
+      {".margin.gain", Unit::ratio, [](const Found& f) { return std::vector{f.margins().gain_margin()}; }},
+      {".margin.gain_db", Unit::ratio,
        [](const Found& f) { return std::vector{20.0 * std::log10(f.margins().gain_margin())}; }},
       {".margin.gain_frequency", Unit::per_second,
        [](const Found& f) {
          return std::vector{frequency_of(f.margins().worst_gain(), f.margins().gain_margin())};
        }},
-      {".margin.phase", Unit::none, [](const Found& f) { return std::vector{f.margins().phase_margin()}; }},
+      {".margin.phase", Unit::radian, [](const Found& f) { return std::vector{f.margins().phase_margin()}; }},
       {".margin.phase_frequency", Unit::per_second,
        [](const Found& f) {
          return std::vector{frequency_of(f.margins().worst_phase(), f.margins().phase_margin())};
        }},
       {".margin.delay", Unit::second, [](const Found& f) { return std::vector{f.margins().delay()}; }},
-      {".margin.modulus", Unit::none,
+      {".margin.modulus", Unit::ratio,
        [](const Found& f) { return std::vector{f.margins().modulus_margin()}; }},
-      {".stable", Unit::none,
+      {".stable", Unit::ratio,
        [](const Found& f) {
          return std::vector{!f.margins().knows_stability ? none : f.margins().stable ? 1.0 : 0.0};
        }},
       {".bandwidth", Unit::per_second, [](const Found& f) { return std::vector{f.channel().bandwidth}; }},
       {".gain_at_rest", Unit::own, [](const Found& f) { return std::vector{f.channel().gain_at_rest}; }},
-      {".damping", Unit::none, [](const Found& f) { return least_damped(f.analysis, &Mode::damping); }},
+      {".damping", Unit::ratio, [](const Found& f) { return least_damped(f.analysis, &Mode::damping); }},
       {".natural_frequency", Unit::per_second,
        [](const Found& f) { return least_damped(f.analysis, &Mode::frequency); }},
       {".sample_time", Unit::second, [](const Found& f) { return std::vector{f.system.sample_time}; }},
       {".frequency", Unit::per_second, [](const Found& f) { return f.frequencies; }},
       {".gain", Unit::own,
        [](const Found& f) { return each(f.loop, [](const Complex& value) { return std::abs(value); }); }},
-      {".phase", Unit::none, [](const Found& f) { return phase_of(f.loop); }},
+      {".phase", Unit::radian, [](const Found& f) { return phase_of(f.loop); }},
       {".real", Unit::own, [](const Found& f) { return each(f.loop, real); }},
       {".imaginary", Unit::own, [](const Found& f) { return each(f.loop, imaginary); }},
-      {".pole.real", Unit::none,
+      {".pole.real", Unit::place,
        [](const Found& f) {
          return each(f.analysis.modes, [](const Mode& mode) { return mode.pole.real(); });
        }},
-      {".pole.imaginary", Unit::none,
+      {".pole.imaginary", Unit::place,
        [](const Found& f) {
          return each(f.analysis.modes, [](const Mode& mode) { return mode.pole.imag(); });
        }},
-      {".pole.damping", Unit::none,
+      {".pole.damping", Unit::ratio,
        [](const Found& f) { return each(f.analysis.modes, [](const Mode& mode) { return mode.damping; }); }},
       {".pole.frequency", Unit::per_second,
        [](const Found& f) {
          return each(f.analysis.modes, [](const Mode& mode) { return mode.frequency; });
        }},
-      {".zero.real", Unit::none, [](const Found& f) { return each(f.channel().zeros, real); }},
-      {".zero.imaginary", Unit::none, [](const Found& f) { return each(f.channel().zeros, imaginary); }},
-      {".closed_pole.real", Unit::none, [](const Found& f) { return each(f.margins().closed_poles, real); }},
-      {".closed_pole.imaginary", Unit::none,
+      {".zero.real", Unit::place, [](const Found& f) { return each(f.channel().zeros, real); }},
+      {".zero.imaginary", Unit::place, [](const Found& f) { return each(f.channel().zeros, imaginary); }},
+      {".closed_pole.real", Unit::place, [](const Found& f) { return each(f.margins().closed_poles, real); }},
+      {".closed_pole.imaginary", Unit::place,
        [](const Found& f) { return each(f.margins().closed_poles, imaginary); }},
       {".step.time", Unit::second, [](const Found& f) { return f.step.x; }},
       {".step.response", Unit::own, [](const Found& f) { return f.step.y; }},
-      {".locus.gain", Unit::none, [](const Found& f) { return f.locus.gain; }},
-      {".locus.real", Unit::none, [](const Found& f) { return f.locus.real; }},
-      {".locus.imaginary", Unit::none, [](const Found& f) { return f.locus.imaginary; }},
-      {".locus.branch", Unit::none, [](const Found& f) { return f.locus.branch; }}};
+      {".locus.gain", Unit::ratio, [](const Found& f) { return f.locus.gain; }},
+      {".locus.real", Unit::place, [](const Found& f) { return f.locus.real; }},
+      {".locus.imaginary", Unit::place, [](const Found& f) { return f.locus.imaginary; }},
+      {".locus.branch", Unit::ratio, [](const Found& f) { return f.locus.branch; }}};
   return all;
 }
 
@@ -159,7 +159,12 @@ std::optional<unit::Dimension> dimension_of(const Column& column, const NamedAna
       return second;
     case Unit::own:
       return analysis.dimension;
-    case Unit::none:
+    case Unit::radian:
+      return unit::parse_unit("rad")->dimension;
+    case Unit::place:
+      if (analysis.is_sampled) return std::nullopt;
+      return unit::Dimension{} / second;
+    case Unit::ratio:
       break;
   }
   return unit::Dimension{};
@@ -169,8 +174,10 @@ std::optional<unit::Dimension> dimension_of(const Column& column, const NamedAna
 
 std::vector<query::RecordedName> analysis_names(const NamedAnalysis& analysis, std::size_t recording) {
   std::vector<query::RecordedName> names;
-  for (const Column& column : columns())
+  for (const Column& column : columns()) {
     names.push_back({analysis.name + column.name, dimension_of(column, analysis), recording});
+    names.back().is_ratio = column.unit == Unit::ratio;
+  }
   return names;
 }
 

@@ -45,6 +45,9 @@ class FrequencyResponse {
   std::array<double, 2> range() const;
   /// Returns the frequency [rad/s] up to which the phase of all delays is resolved; infinite without delays.
   double last_followed() const;
+  /// Returns the delay of a chain of delays in a continuous system [s], whose gain they do not change; else
+  /// 0.
+  double delay_of_chain() const { return chain_ ? delay_ : 0.0; }
   /// True if each turn of the delays that can decide a margin is resolved: without delays, or in a chain.
   bool follows_all_turns() const { return delay_ == 0.0 || chain_.has_value(); }
   /// Returns the frequencies of a search for crossings and for the least distance from -1. They are denser

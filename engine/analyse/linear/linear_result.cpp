@@ -88,7 +88,11 @@ static void declare(Record<LoopMargins>& is) {
         return is.knows_modulus ? std::optional(Crossing{is.modulus_frequency, is.modulus}) : std::nullopt;
       },
       "least distance of the loop gain from -1");
-  is.field("gain_crossings", &LoopMargins::gain, "all crossings of the gain");
+  is.field("gain_crossings", &LoopMargins::gain, "crossings of the gain");
+  is.field("gain_crossings_up_to", &LoopMargins::gain_up_to,
+           "frequency up to which they are listed; null: all are", "rad/s");
+  is.field("gain_crossings_left_out", &LoopMargins::gain_left_out,
+           "number of those below it that are not listed");
   is.field("phase_crossings", &LoopMargins::phase, "all crossings of the phase");
   is.field("closed_poles", &LoopMargins::closed_poles, "poles of the closed loop", "rad/s");
   is.field("not_determined", &LoopMargins::notes, "a sentence on each undetermined value");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "engine/analyse/linear/gain_at_rest.hpp"
 
@@ -116,25 +117,72 @@ bool LoopGain::is_rounding(const Row& row) const {
          std::abs(row.value.imag()) <= 1e-7 * std::abs(row.value.real());
 }
 
-std::vector<LoopGain::Row> LoopGain::negative() const {
+/// True where a chain of delays may turn by more than 0.5 rad from a row to the next one.
+bool LoopGain::turns_unseen(std::size_t row) const {
+  return (rows_[row + 1].frequency - rows_[row].frequency) * response_.delay_of_chain() > 0.5;
+}
+
+/// Returns the angle of L at a frequency beyond a row, followed through the turns of the delays between.
+double LoopGain::angle_after(const Row& row, double frequency) const {
+  const double turned = (frequency - row.frequency) * response_.delay_of_chain();
+  const Complex rest = at(frequency) / row.value * std::polar(1.0, turned);
+  return std::arg(row.value) + std::arg(rest) - turned;
+}
+
+/// Returns how often L is real and negative between a row and the next one.
+double LoopGain::half_turns(std::size_t row) const {
+  constexpr double pi = std::numbers::pi;
+  const double to = angle_after(rows_[row], rows_[row + 1].frequency);
+  if (to > pi) return 1.0;
+  return to < -pi ? std::floor((-pi - to) / (2.0 * pi)) + 1.0 : 0.0;
+}
+
+/// Returns the row of the `index`-th time, from 0.
+LoopGain::Row LoopGain::half_turn(std::size_t row, double index) const {
+  constexpr double pi = std::numbers::pi;
+  const Row &first = rows_[row], &next = rows_[row + 1];
+  const double angle = angle_after(first, next.frequency) > pi ? pi : -pi - 2.0 * pi * index;
+  const double w =
+      find_zero([&](double f) { return angle - angle_after(first, f); }, first.frequency, next.frequency);
+  return {w, at(w)};
+}
+
+/// Adds the rows in intervals that the grid does not resolve, up to the last one that it does.
+void LoopGain::add_half_turns(Negative& found) const {
+  constexpr double most = 1000.0;
+  std::size_t end = rows_.size() - 1;
+  while (end > 0 && turns_unseen(end - 1)) --end;
+  if (end + 1 == rows_.size()) return;
+  found.last = rows_[end].frequency;
+  double all = 0.0;
+  for (std::size_t k = 0; k < end; ++k)
+    if (turns_unseen(k)) all += half_turns(k);
+  if (all > most) found.left_out = static_cast<std::size_t>(std::min(all, 1e18));
+  for (std::size_t k = 0; k < end && all <= most; ++k)
+    for (double i = 0.0; turns_unseen(k) && i < half_turns(k); i += 1.0)
+      found.rows.push_back(half_turn(k, i));
+}
+
+LoopGain::Negative LoopGain::negative() const {
   const auto real = bands(is_negative_real);
-  std::vector<Row> found;
+  Negative found;
   for (const FrequencyBand& band : real) {
     const Row* nearest = nullptr;
     for (const Row& row : rows_)
       if (row.frequency >= band.from && row.frequency <= band.to)
         if (nearest == nullptr || std::abs(log_gain(row.value)) < std::abs(log_gain(nearest->value)))
           nearest = &row;
-    found.push_back(*nearest);
+    found.rows.push_back(*nearest);
   }
+  add_half_turns(found);
   for (std::size_t k = 0; k + 1 < rows_.size(); ++k) {
     const Row &row = rows_[k], &next = rows_[k + 1];
-    if ((row.value.imag() < 0.0) == (next.value.imag() < 0.0)) continue;
+    if ((row.value.imag() < 0.0) == (next.value.imag() < 0.0) || turns_unseen(k)) continue;
     if (within(real, row.frequency, next.frequency) || is_rounding(row) || is_rounding(next)) continue;
     const double w = find_zero([&](double f) { return at(f).imag(); }, row.frequency, next.frequency);
-    found.push_back({w, at(w)});
+    found.rows.push_back({w, at(w)});
   }
-  std::ranges::sort(found, {}, &Row::frequency);
+  std::ranges::sort(found.rows, {}, &Row::frequency);
   return found;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -41,9 +42,16 @@ class LoopGain {
   std::optional<FrequencyBand> band_of_one() const;
   /// Returns all frequencies at which |L| = 1, except in such a band.
   std::vector<Crossover> crossovers() const;
+  /// Rows at which L is real and negative. Where a chain of delays turns without end, they are complete up to
+  /// `last` [rad/s], but for `left_out` rows in intervals with too many.
+  struct Negative {
+    std::vector<Row> rows;
+    std::size_t left_out = 0;
+    double last = std::numeric_limits<double>::infinity();
+  };
   /// Returns all rows at which L is real and negative. In a band where it is so throughout, the row with the
   /// gain nearest to 1.
-  std::vector<Row> negative() const;
+  Negative negative() const;
   /// Returns the row of the grid with the least |1 + L|, refined between its neighbours.
   Row nearest_to_minus_one() const;
 
@@ -52,6 +60,11 @@ class LoopGain {
   void add_touches(Size size);
   std::vector<FrequencyBand> bands(bool (*belongs)(const Complex& value)) const;
   bool is_rounding(const Row& row) const;
+  bool turns_unseen(std::size_t row) const;
+  double angle_after(const Row& row, double frequency) const;
+  double half_turns(std::size_t row) const;
+  Row half_turn(std::size_t row, double index) const;
+  void add_half_turns(Negative& found) const;
 
   FrequencyResponse response_;
   double sign_, at_rest_;

@@ -46,7 +46,11 @@ class MarginSearch {
 
  private:
   void find_gain() {
-    const auto crossings = loop_.negative();
+    const LoopGain::Negative found = loop_.negative();
+    const auto& crossings = found.rows;
+    const bool complete = loop_.response().follows_all_turns();
+    margins_.gain_up_to = complete ? found.last : loop_.response().last_followed();
+    margins_.gain_left_out = complete ? found.left_out : 0;
     const auto has = [&](double frequency) {
       return std::ranges::find(crossings, frequency, &LoopGain::Row::frequency) != crossings.end();
     };

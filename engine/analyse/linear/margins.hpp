@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +17,11 @@ struct Crossing {
 
 /// Margins of a loop L under negative feedback; the border is 1 + L = 0.
 struct Margins {
-  std::vector<Crossing> gain;   ///< At all frequencies at which L is real and negative.
+  /// At all frequencies at which L is real and negative, up to `gain_up_to` [rad/s]. A delay turns L without
+  /// end. Intervals with more than a thousand crossings are left out, of which `gain_left_out` is the number.
+  std::vector<Crossing> gain;
+  double gain_up_to = std::numeric_limits<double>::infinity();
+  std::size_t gain_left_out = 0;
   std::vector<Crossing> phase;  ///< At all frequencies at which |L| = 1.
   double modulus = 0.0;         ///< Least distance of L from -1, or its limit at 0 or at infinity.
   double modulus_frequency = 0.0;

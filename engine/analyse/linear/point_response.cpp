@@ -132,17 +132,31 @@ PointResponse::PointResponse(const StateSpace& system)
   chains_.reset();
   const Eigen::VectorXd scale = balancing(system.A);
   const Eigen::MatrixXd A = scale.cwiseInverse().asDiagonal() * system.A * scale.asDiagonal();
+  constexpr Eigen::Index few = 60;  // states, for the cost of n^3 a point
+  if (system.sample_time == 0.0 && A.rows() <= few) near_rest_ = 1e-4 * A.norm();
+  plain_.A = A;
+  plain_.B = scale.cwiseInverse().asDiagonal() * system.B;
+  plain_.C = system.C * scale.asDiagonal();
   const Eigen::HessenbergDecomposition<Eigen::MatrixXd> reduced(A);
   const Eigen::MatrixXd Q = reduced.matrixQ();
   hessenberg_ = reduced.matrixH();
-  B_ = Q.transpose() * (scale.cwiseInverse().asDiagonal() * system.B);
-  C_ = (system.C * scale.asDiagonal()) * Q;
+  B_ = Q.transpose() * plain_.B;
+  C_ = plain_.C * Q;
 }
 
 Eigen::MatrixXcd PointResponse::between(const Complex& point) const {
   if (chains_) return chains_->response(point);
   if (hessenberg_.rows() == 0) return D_.cast<Complex>();
+  if (std::abs(point) < near_rest_) return near_rest(point);
   return C_.cast<Complex>() * solve(point, hessenberg_, B_.cast<Complex>()) + D_;
+}
+
+/// Returns the response by elimination in A itself. Its zeros keep several poles at rest apart from rounding,
+/// which the reduction would turn into a singular matrix close to them.
+Eigen::MatrixXcd PointResponse::near_rest(const Complex& point) const {
+  Eigen::MatrixXcd M = -plain_.A.cast<Complex>();
+  M.diagonal().array() += point;
+  return plain_.C.cast<Complex>() * M.partialPivLu().solve(plain_.B.cast<Complex>()) + D_;
 }
 
 /// Returns the factor exp(-s T) of each delay.

@@ -57,7 +57,11 @@ class PointResponse {
   Eigen::MatrixXcd between(const Complex& point) const;
   Eigen::VectorXcd turned(const Complex& point) const;
 
+  Eigen::MatrixXcd near_rest(const Complex& point) const;
+
   Eigen::MatrixXd hessenberg_, B_, C_, D_;
+  StateSpace plain_;        ///< Balanced system before the reduction.
+  double near_rest_ = 0.0;  ///< Size of the points at which it is used [1/s].
   std::vector<InnerDelay> delays_;
   std::optional<SampledChains> chains_;  ///< in the place of the matrices
 };

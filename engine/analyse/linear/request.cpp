@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/analyse/linear/prepared_diagram.hpp"
 #include "engine/model/diagram/named_signals.hpp"
 
 namespace stepwire::linear {
@@ -122,6 +123,7 @@ void read_one(const yaml::Entry& entry, const plan::Plan& plan, const query::Nam
   if (!from || !to) return;
   const auto in = plan.dimension(from->signal), out = plan.dimension(to->signal);
   if (in && out) analysis.dimension = *out / *in;
+  analysis.is_sampled = find_paths(plan, {from->signal.block}, {to->signal.block}, {}).sampled();
   all.push_back(std::move(analysis));
 }
 

@@ -56,6 +56,7 @@ struct NamedAnalysis {
   Request request;
   std::optional<double> feedback{};            ///< Replaces the feedback of the request.
   std::optional<unit::Dimension> dimension{};  ///< Dimension of output over input.
+  bool is_sampled = false;  ///< True if a path may have a sampled block, so that poles may be those of z.
 };
 
 /// Returns the schema of the section `linear`.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -199,6 +200,19 @@ std::optional<unit::Dimension> find_dimension(const expression::Expression& expr
   }
 }
 
+/// True for a number made of ratios alone, without the functions that return angles.
+bool is_ratio(const expression::Expression& expression, const std::optional<unit::Dimension>& dimension,
+              const SymbolTable& names) {
+  const auto& variables = expression.variables();
+  const auto returns_angle = [&](const char* function) {
+    return expression.text().find(function) != std::string::npos;
+  };
+  constexpr std::array angles{"asin", "acos", "atan"};
+  return !variables.empty() && dimension == unit::Dimension{} && dimension->angle == 0.0 &&
+         std::ranges::none_of(angles, returns_angle) &&
+         std::ranges::all_of(variables, [&](const std::string& name) { return names.find(name)->is_ratio; });
+}
+
 std::string trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
@@ -326,7 +340,8 @@ std::optional<Formula> read_formula(const yaml::Node& node, std::string_view tex
     }
     const auto dimension = find_dimension(expression, text, names);
     const yaml::Mark mark = place_in(node, offset, names).mark;
-    return Formula{trimmed(text), expression.strict(), std::move(columns), recording, dimension, mark};
+    const bool ratio = is_ratio(expression, dimension, names);
+    return Formula{trimmed(text), expression.strict(), std::move(columns), recording, dimension, mark, ratio};
   } catch (const FormulaError& error) {
     faults.add({place_in(node, offset + error.position, names), subject, error.message, {}});
   } catch (const expression::ExpressionError& error) {

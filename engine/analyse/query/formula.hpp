@@ -28,6 +28,7 @@ struct Formula {
   std::optional<std::size_t> recording;  ///< Index of the recording with these columns; std::nullopt: any.
   std::optional<unit::Dimension> dimension;  ///< Dimension of the value; std::nullopt if unknown.
   yaml::Mark mark;
+  bool is_ratio = false;  ///< True for a number that is no angle, although radians have no dimension.
 };
 
 /// Reads an expression. `$name` is replaced by the value of a parameter. A quoted word after `NAME ==` or

@@ -92,7 +92,7 @@ void NamesReading::take(const yaml::Node& node, const yaml::Key& key, std::array
 std::optional<double> NamesReading::read_number(const yaml::Node& node, const yaml::Key& key) const {
   const auto number = stepwire::query::read_number(node, names, subject, faults);
   if (!number) return std::nullopt;
-  check_dimension(*number, unit::parse_unit(key.unit.empty() ? "1" : key.unit)->dimension,
+  check_dimension(*number, {unit::parse_unit(key.unit.empty() ? "1" : key.unit)->dimension, key.unit.empty()},
                   what_is_in(key.unit), node, names, subject, faults);
   return number->value;
 }

@@ -19,10 +19,18 @@ std::string unit_phrase(const unit::Dimension& dimension) {
   return dimension == unit::Dimension{} ? "has no unit" : "is in " + unit::si_name(dimension);
 }
 
+/// Returns the message for a percentage beside an angle; empty for other numbers.
+std::string share_of_angle(const WantedNumber& number, const unit::Dimension& dimension,
+                           const std::string& what) {
+  const bool differ = number.unit == "%" && dimension == unit::Dimension{} && dimension.angle != 0.0;
+  return differ ? fmt::format("{} is a share, but {} is an angle; write it in deg or rad", number.text, what)
+                : "";
+}
+
 /// Returns the message for a number whose unit cannot be compared with `what`; empty if it can.
-std::string number_fault(const WantedNumber& number, const unit::Dimension& dimension,
-                         const std::string& what) {
-  if (*number.dimension != dimension) {
+std::string number_fault(const WantedNumber& number, const MeantUnit& meant, const std::string& what) {
+  const unit::Dimension& dimension = *meant.dimension;
+  if (*number.dimension != dimension || (meant.is_ratio && number.dimension->angle != 0.0)) {
     const bool is_named = *number.dimension == unit::Dimension{} && !number.unit.empty();  // deg, %
     const std::string wanted =
         dimension == unit::Dimension{} ? "a number without unit" : unit::si_name(dimension);
@@ -30,6 +38,7 @@ std::string number_fault(const WantedNumber& number, const unit::Dimension& dime
                        is_named ? "is in " + number.unit : unit_phrase(*number.dimension), what,
                        unit_phrase(dimension), dimension == unit::Dimension{} ? "" : "it in ", wanted);
   }
+  if (std::string share = share_of_angle(number, dimension, what); !share.empty()) return share;
   std::string other = unit::other_meaning_of_number(*number.dimension, dimension);
   if (!other.empty()) return fmt::format("{} {}", number.text, other);
   other = unit::other_meaning(dimension, *number.dimension);
@@ -104,11 +113,11 @@ std::optional<WantedNumber> read_number(const yaml::Node& node, const SymbolTabl
                       unit_of_temperature(formula->text, names), formula->text};
 }
 
-void check_dimension(const WantedNumber& number, const std::optional<unit::Dimension>& dimension,
-                     const std::string& what, const yaml::Node& node, const SymbolTable& names,
-                     const std::string& subject, yaml::Faults& faults) {
-  if (!number.dimension || !dimension) return;
-  const std::string fault = number_fault(number, *dimension, what);
+void check_dimension(const WantedNumber& number, const MeantUnit& meant, const std::string& what,
+                     const yaml::Node& node, const SymbolTable& names, const std::string& subject,
+                     yaml::Faults& faults) {
+  if (!number.dimension || !meant.dimension) return;
+  const std::string fault = number_fault(number, meant, what);
   if (!fault.empty()) faults.add({{names.file, node.mark}, subject, fault, {}});
 }
 

@@ -31,10 +31,16 @@ std::string unit_after_number(const std::string& text);
 /// of other meanings. Empty if they can.
 std::string compared_fault(const Formula& first, const Formula& second);
 
-/// Adds a fault if the dimension of the number differs from that of `what`, the value it is compared with.
-void check_dimension(const WantedNumber& number, const std::optional<unit::Dimension>& dimension,
-                     const std::string& what, const yaml::Node& node, const SymbolTable& names,
-                     const std::string& subject, yaml::Faults& faults);
+/// Unit that a number is to have.
+struct MeantUnit {
+  std::optional<unit::Dimension> dimension{};  ///< std::nullopt if unknown
+  bool is_ratio = false;                       ///< True for a pure number, which is no angle.
+};
+
+/// Adds a fault if the unit of the number is not that of `what`, the value it is compared with.
+void check_dimension(const WantedNumber& number, const MeantUnit& meant, const std::string& what,
+                     const yaml::Node& node, const SymbolTable& names, const std::string& subject,
+                     yaml::Faults& faults);
 
 /// Returns the fault of a number written without unit where `what` is in a unit other than SI; std::nullopt
 /// for 0, infinity, percent and other texts, such as formulas.

@@ -53,6 +53,8 @@ bool read_unit(const yaml::Node& node, std::string_view text, std::size_t offset
   else if (known && *known != unit->dimension)
     message = fmt::format("'{}' is in {} and cannot be drawn in {}", series.formula.text,
                           unit::si_name(*known), text);
+  else if (series.formula.is_ratio && unit->dimension.angle != 0.0)
+    message = fmt::format("'{}' is a pure number and cannot be drawn in {}", series.formula.text, text);
   else if (const std::string other = dimension ? drawn_fault(*dimension, unit->dimension) : "";
            !other.empty())
     message = fmt::format("'{}' {}", series.formula.text, other);

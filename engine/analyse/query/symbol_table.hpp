@@ -33,6 +33,7 @@ struct RecordedName {
   std::string unit{};        ///< Unit in which the file writes the values of a swept parameter; else empty.
   std::string expression{};  ///< Expression that the name replaces in the text of the file; else empty.
   std::optional<double> zeros_if_kelvin{};  ///< Of a column without a known unit, see diagram::Diagram.
+  bool is_ratio = false;  ///< True for a number that is no angle: decibels, a share, a damping ratio.
 };
 
 /// A parameter of the diagram, used in figures and claims as "$name".

@@ -20,7 +20,7 @@ ParameterTable::Row number_row(std::string name, std::string doc, double TunePar
           [member](TuneParameter& parameter, const yaml::Node& node, const TuneReading& read) {
             const auto found = query::read_number(node, read.names, read.subject, read.faults);
             if (!found) return;
-            query::check_dimension(*found, parameter.dimension, "the parameter", node, read.names,
+            query::check_dimension(*found, {parameter.dimension}, "the parameter", node, read.names,
                                    read.subject, read.faults);
             if (!parameter.dimension) parameter.dimension = found->dimension;
             if (parameter.unit.empty()) parameter.unit = found->unit;

@@ -211,10 +211,27 @@ std::size_t place_of_definition(DiagramFiles& files, const std::string& file, co
   refuse_name(name);
 }
 
-/// Throws a fault as EditRefused, without its place, which is in a trial text.
-[[noreturn]] void refuse_for(const yaml::Fault& fault) {
+/// Returns a fault without its place, which is in a trial text.
+std::string words_of(const yaml::Fault& fault) {
   const std::string words = fault.message.text();
-  throw EditRefused(text::visible(fault.subject.empty() ? words : fault.subject + ": " + words));
+  return text::visible(fault.subject.empty() ? words : fault.subject + ": " + words);
+}
+
+[[noreturn]] void refuse_for(const yaml::Fault& fault) {
+  throw EditRefused(words_of(fault));
+}
+
+/// Throws the first fault that a wire causes, with the input of the wire in front where the fault is
+/// elsewhere.
+[[noreturn]] void refuse_wire(const Connect& wire, const std::vector<yaml::Fault>& faults) {
+  const auto at_wire = [&](const yaml::Fault& fault) {
+    return fault.subject == wire.to || fault.subject.starts_with(wire.to + ".");
+  };
+  const auto found = std::ranges::find_if(faults, at_wire);
+  if (found != faults.end() || wire.to.empty()) refuse_for(found != faults.end() ? *found : faults.front());
+  throw EditRefused(
+      text::visible(fmt::format("{}.{} cannot take {}, since then ", wire.to, wire.input, wire.from)) +
+      words_of(faults.front()));
 }
 
 /// Visitor that computes the splices of an edit.
@@ -245,7 +262,7 @@ class Editor {
     connect(edits, files_, file_, *document_, edit);
     check_units(files_, analyse(files_, file_, Depth::draft), file_, edit);
     Edited result = done(edits);
-    if (!result.faults.empty()) refuse_for(result.faults.front());
+    if (!result.faults.empty()) refuse_wire(edit, result.faults);
     return result;
   }
   Edited operator()(const Disconnect& edit) {

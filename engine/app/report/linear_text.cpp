@@ -117,6 +117,11 @@ std::string crossings_text(const linear::Margins& margins) {
     text += fmt::format(
         "  and {} more, up to {} dB\n", margins.gain.size() - most_crossings,
         short_number(decibels(std::ranges::max(margins.gain, {}, &linear::Crossing::margin).margin), 6));
+  if (margins.gain_left_out > 0)
+    text += fmt::format("  {} crossings more are not listed\n", margins.gain_left_out);
+  if (std::isfinite(margins.gain_up_to))
+    text += fmt::format("  the delay turns on: crossings beyond {} rad/s are not listed\n",
+                        short_number(margins.gain_up_to, 6));
   for (const linear::Crossing& crossing : margins.phase)
     text += fmt::format("  phase margin {} deg at {} rad/s\n", short_number(degrees(crossing.margin), 6),
                         short_number(crossing.frequency, 6));

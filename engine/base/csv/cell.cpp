@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <string_view>
 
 #include "engine/base/text/characters.hpp"
@@ -128,6 +131,23 @@ std::optional<CellNumber> cell_number(const std::string& text, Decimal decimal) 
   const bool grouped = pieces.grouped || pieces.digits.size() != length;
   std::ranges::replace(pieces.digits, ',', '.');
   return CellNumber{pieces.sign + pieces.digits + exponent_text(pieces.exponent), grouped};
+}
+
+double rest_of(std::string_view text, double value) {
+  constexpr double least = 1e6, most = 1e15;
+  const double size = std::abs(value), whole_of_value = std::floor(size);
+  if (!(size >= least && size < most) || size == whole_of_value) return 0.0;
+  while (!text.empty() && !is_digit(text.front())) text.remove_prefix(1);
+  const char* const end = text.data() + text.size();
+  std::int64_t whole = 0;
+  const auto [mark, error] = std::from_chars(text.data(), end, whole);
+  double fraction = 0.0;
+  if (error != std::errc{} || mark == end || *mark != '.') return 0.0;
+  const auto [rest, wrong] = std::from_chars(mark, end, fraction, std::chars_format::fixed);
+  if (wrong != std::errc{} || (rest != end && *rest != ' ' && *rest != '\t')) return 0.0;
+  const double missing = static_cast<double>(whole - static_cast<std::int64_t>(whole_of_value)) +
+                         (fraction - (size - whole_of_value));
+  return value < 0.0 ? -missing : missing;
 }
 
 std::string with_exponent_letter(const std::string& text) {

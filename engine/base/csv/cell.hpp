@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace stepwire::csv {
 
@@ -31,6 +32,10 @@ struct CellNumber {
 /// Parses a number under a decimal mark, with exponents of Fortran (1.0D+03, 1.0-104) or C. Returns
 /// std::nullopt for other texts and for a number with the other decimal mark.
 std::optional<CellNumber> cell_number(const std::string& text, Decimal decimal);
+
+/// Returns the exact number of a text of digits with a decimal point minus its double `value`. Returns 0 for
+/// other texts, whole numbers and values below a million, whose rounding moves no row.
+double rest_of(std::string_view text, double value);
 
 /// Returns a number whose exponent of one or two digits lacks its letter with an 'e': "1.0e+3" for "1.0+3",
 /// which may also be two numbers. Empty for other texts.

@@ -114,9 +114,10 @@ class RecordColumn {
   const std::string& name() const { return column_.name; }
   /// True where a cell of digits with a decimal point can be parsed directly; this is the common case.
   bool takes_quick_numbers() const { return decimal_ != Decimal::comma && !first_stamp_; }
-  void add(double number) {
+  void add(double number, std::string_view text) {
     has_numbers_ = true;
     column_.values.push_back(number);
+    note_rest(text);
   }
   /// Adds any cell; `place` is "press.csv:17" for messages. A missing or unreadable value is NaN.
   void add(const std::string& text, const std::string& place);
@@ -124,6 +125,8 @@ class RecordColumn {
   void keep_rows(std::size_t rows);
 
   const std::string& problem() const { return problem_; }
+  /// Returns the rests of all rows, see table::RecordTable; empty if all are 0.
+  std::vector<double>& rests() { return rests_; }
   bool has_groups() const { return grouped_; }
   /// Text of the first time in the file; empty for a column of numbers.
   const std::string& first_stamp() const { return first_stamp_text_; }
@@ -136,6 +139,7 @@ class RecordColumn {
   std::optional<double> seconds_of(const std::string& text, const std::string& place);
   void refuse(const std::string& text, const std::string& place, const std::string& why);
   std::string problem_of(const std::string& text) const;
+  void note_rest(std::string_view text);
 
   table::Column column_;
   Decimal decimal_;
@@ -143,7 +147,16 @@ class RecordColumn {
   std::optional<TimeStamp> first_stamp_;
   std::string first_stamp_text_, first_stamp_place_;
   bool grouped_ = false, has_numbers_ = false;
+  std::vector<double> rests_;
 };
+
+/// Stores the rest of the last number.
+void RecordColumn::note_rest(std::string_view text) {
+  const double rest = rest_of(text, column_.values.back());
+  if (rest == 0.0) return;
+  rests_.resize(column_.values.size());
+  rests_.back() = rest;
+}
 
 void RecordColumn::add(const std::string& text, const std::string& place) {
   std::optional<double> value = number_of(text);
@@ -156,6 +169,7 @@ void RecordColumn::add(const std::string& text, const std::string& place) {
     value = seconds_of(text, place);
   }
   column_.values.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
+  if (const auto cell = value ? cell_number(text, decimal_) : std::nullopt) note_rest(cell->text);
 }
 
 /// Returns the number of a cell, infinity included; the block FromFile refuses infinity later.
@@ -194,9 +208,9 @@ std::string RecordColumn::problem_of(const std::string& text) const {
   if (const std::string meant = with_exponent_letter(text); !meant.empty())
     return fmt::format("is no number; write an exponent with its letter, {}", meant);
   if (looks_like_time(text) && !has_numbers_)
-    return "is no number, and no time that is known; write 2026-01-31T12:00:00, 20260131T120000 or "
+    return "is no number, and no time that is known; write 2026-01-31T12:00:00, 20260131T120000, "
            "31.01.2026 "
-           "12:00:00";
+           "12:00:00 or 12:00:00";
   if (!cell_number(text, other)) return "is no number";
   return decimal_ == Decimal::comma ? "is no number with a decimal comma; say `decimal: \".\"`"
                                     : "is no number with a decimal point; say `decimal: \",\"`";
@@ -211,6 +225,7 @@ void RecordColumn::refuse(const std::string& text, const std::string& place, con
 
 void RecordColumn::keep_rows(std::size_t rows) {
   column_.values.resize(rows);
+  if (!rests_.empty()) rests_.resize(rows);
 }
 
 table::Column RecordColumn::finished() {
@@ -314,6 +329,7 @@ class RecordReader {
     lines_.separate_by(marked);
     if (lines_.fields().size() > 1) return lines_.go_to(here), marked;
     lines_.go_to(here);
+    if (is_parted_by_bars()) return '|';
     lines_.separate_by(' ');
     const std::size_t titles = lines_.fields().size();
     if (!lines_.at_end()) lines_.skip_line_end();
@@ -324,6 +340,17 @@ class RecordReader {
     if (titles == 1 || below.size() == 1 || !values) return marked;
     if (below.size() != titles) refuse_blanks(below.size(), marked);
     return below.size() == titles ? ' ' : marked;
+  }
+
+  /// True where bars part this line and the next one into as many fields.
+  bool is_parted_by_bars() {
+    const table::CsvLines::Place here = lines_.place();
+    lines_.separate_by('|');
+    const std::size_t titles = lines_.fields().size();
+    if (!lines_.at_end()) lines_.skip_line_end();
+    const bool found = titles > 1 && lines_.fields().size() == titles;
+    lines_.go_to(here);
+    return found;
   }
 
   /// Refuses a header whose names contain blanks above values that blanks separate, unless the row below is
@@ -402,12 +429,13 @@ class RecordReader {
     for (std::size_t i = 0; i < wanted_; ++i) {
       if (i > 0) lines_.skip_separator();
       const bool quick = lines_.separator() != ' ' && columns_[i].takes_quick_numbers();
+      const char* const text = lines_.place().at;
       const auto value = quick ? lines_.quick_number() : std::nullopt;
       if (!value || *value != *value || lines_.at_line_end() != (i + 1 == wanted_)) {
         lines_.go_to(start);
         return row_slowly(i);
       }
-      columns_[i].add(*value);
+      columns_[i].add(*value, {text, lines_.place().at});
     }
     lines_.skip_line_end();
     filled_rows_ = ++rows_;
@@ -479,6 +507,7 @@ class RecordReader {
       if (!column.problem().empty()) table.problems.emplace(column.name(), column.problem());
       if (!column.first_stamp().empty())
         notes_.push_back(fmt::format("'{}' in seconds from {}", column.name(), column.first_stamp()));
+      if (!column.rests().empty()) table.rests.emplace(column.name(), std::move(column.rests()));
       table.columns.push_back(column.finished());
     }
     table.lines = std::move(row_lines_);

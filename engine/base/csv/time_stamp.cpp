@@ -85,14 +85,18 @@ std::optional<std::int64_t> take_date(StampText& pieces, TimeStamp::Form form) {
   return std::chrono::sys_days(date).time_since_epoch().count();
 }
 
-bool take_time(StampText& pieces, TimeStamp& stamp) {
+/// True where a part of a time in this form follows.
+bool has_part(const StampText& pieces, char mark) {
+  return mark == '\0' ? std::isdigit(static_cast<unsigned char>(pieces.next())) != 0 : pieces.next() == mark;
+}
+
+/// Consumes the minutes and seconds that follow the hours, as far as they are there.
+bool take_minutes(StampText& pieces, TimeStamp& stamp) {
   const char mark = marks_of(stamp.form).time;
-  const auto hours = part(pieces, '\0', 23), minutes = hours ? part(pieces, mark, 59) : std::nullopt;
+  const auto minutes = part(pieces, mark, 59);
   if (!minutes) return false;
-  stamp.seconds += 3600 * *hours + 60 * *minutes;
-  const bool more =
-      mark == '\0' ? std::isdigit(static_cast<unsigned char>(pieces.next())) != 0 : pieces.next() == mark;
-  if (!more) return true;
+  stamp.seconds += 60 * *minutes;
+  if (!has_part(pieces, mark)) return true;
   const auto seconds = part(pieces, mark, 59);
   if (!seconds) return false;
   stamp.seconds += *seconds;
@@ -102,8 +106,22 @@ bool take_time(StampText& pieces, TimeStamp& stamp) {
   return fraction.has_value();
 }
 
+/// Consumes a time. The hour 24 has neither minutes nor seconds; an hour alone belongs to a date of ISO 8601.
+bool take_time(StampText& pieces, TimeStamp& stamp) {
+  constexpr std::int64_t hour = 3600;
+  const auto hours = part(pieces, '\0', 24);
+  if (!hours) return false;
+  const std::int64_t day = stamp.seconds;
+  stamp.seconds += hour * *hours;
+  const bool more = has_part(pieces, marks_of(stamp.form).time);
+  if (more && !take_minutes(pieces, stamp)) return false;
+  if (!more && stamp.form == TimeStamp::Form::german) return false;
+  return *hours < 24 || (stamp.seconds == day + 24 * hour && stamp.picoseconds == 0);
+}
+
 bool take_zone(StampText& pieces, TimeStamp& stamp) {
   stamp.has_zone = true;
+  pieces.take(' ');
   if (pieces.take('Z') || pieces.take('z')) return true;
   const int sign = pieces.next() == '-' ? -1 : 1;
   if (!pieces.take('+') && !pieces.take('-')) return false;
@@ -129,9 +147,18 @@ namespace {
 /// Returns the form of a text that may be a time. Eight digits alone are a number.
 std::optional<TimeStamp::Form> form_of(std::string_view text) {
   if (text.size() >= 10 && text[4] == '-') return TimeStamp::Form::extended;
-  if (text.size() >= 13 && text[8] == 'T') return TimeStamp::Form::basic;
+  if (text.size() >= 11 && text[8] == 'T') return TimeStamp::Form::basic;
   if (text.size() >= 10 && text[2] == '.' && text[5] == '.') return TimeStamp::Form::german;
+  if (text.size() >= 8 && text[2] == ':' && text[5] == ':') return TimeStamp::Form::clock;
   return std::nullopt;
+}
+
+/// Consumes a time without a date.
+std::optional<TimeStamp> clock_time(StampText pieces) {
+  TimeStamp stamp;
+  stamp.form = TimeStamp::Form::clock;
+  stamp.has_time = true;
+  return take_time(pieces, stamp) && pieces.empty() ? std::optional(stamp) : std::nullopt;
 }
 
 }  // namespace
@@ -140,6 +167,7 @@ std::optional<TimeStamp> time_stamp(std::string_view text) {
   const auto form = form_of(text);
   if (!form) return std::nullopt;
   StampText pieces(text);
+  if (*form == TimeStamp::Form::clock) return clock_time(pieces);
   TimeStamp stamp;
   stamp.form = *form;
   const auto days = take_date(pieces, *form);

@@ -12,7 +12,8 @@ struct TimeStamp {
   enum class Form : unsigned char {
     extended,  ///< of ISO 8601: 2026-11-27T10:00:00.250Z
     basic,     ///< of ISO 8601: 20261127T100000.250Z
-    german     ///< DIN 5008: 27.11.2026 10:00:00,250
+    german,    ///< DIN 5008: 27.11.2026 10:00:00,250
+    clock      ///< without a date: 10:00:00.250, on the first day of 1970
   };
   Form form = Form::extended;
   std::int64_t seconds = 0;      ///< since 1970, in UTC if the text has a zone
@@ -29,10 +30,10 @@ struct TimeStamp {
   double since(const TimeStamp& other) const;
 };
 
-/// Parses YYYY-MM-DD, optionally with hh:mm, hh:mm:ss or a fraction after point or comma behind 'T' or a
-/// blank. A zone may follow: Z, +hh:mm, +hhmm or +hh. Parses also YYYYMMDDThhmm and YYYYMMDDThhmmss, and
-/// DD.MM.YYYY with a time behind a blank. Returns std::nullopt for other texts and for dates that do not
-/// exist.
+/// Parses YYYY-MM-DD, optionally with hh, hh:mm, hh:mm:ss or a fraction after point or comma behind 'T' or a
+/// blank. A zone may follow, also behind a blank: Z, +hh:mm, +hhmm or +hh. Parses also YYYYMMDDThh,
+/// YYYYMMDDThhmm and YYYYMMDDThhmmss, DD.MM.YYYY with a time behind a blank, and hh:mm:ss alone. 24:00:00 is
+/// the end of its day. Returns std::nullopt for other texts and for dates that do not exist.
 std::optional<TimeStamp> time_stamp(std::string_view text);
 /// True for a text that resembles a date or time more than a number or a word, even if time_stamp() refuses
 /// it.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "engine/base/table/table_file.hpp"
 #include "engine/base/text/characters.hpp"
@@ -15,8 +16,17 @@ constexpr std::size_t longest_field = 100'000;
 }  // namespace
 
 std::string csv_trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+  constexpr std::array<std::string_view, 4> blanks{" ", "\t", "\xC2\xA0", "\xE2\x80\xAF"};
+  std::string_view rest = text;
+  const auto starts = [&](std::string_view blank) { return rest.starts_with(blank); };
+  const auto ends = [&](std::string_view blank) { return rest.ends_with(blank); };
+  for (auto found = std::ranges::find_if(blanks, starts); found != blanks.end();
+       found = std::ranges::find_if(blanks, starts))
+    rest.remove_prefix(found->size());
+  for (auto found = std::ranges::find_if(blanks, ends); found != blanks.end();
+       found = std::ranges::find_if(blanks, ends))
+    rest.remove_suffix(found->size());
+  return std::string(rest);
 }
 
 Column csv_column(const std::string& title) {

@@ -15,7 +15,7 @@ inline bool is_csv_blank(char c) {
   return c == ' ' || c == '\t';
 }
 
-/// Returns the text without surrounding blanks.
+/// Returns the text without surrounding blanks, fixed ones included.
 std::string csv_trimmed(const std::string& text);
 
 /// Splits "name [unit]" into its parts. "x[2]" without a blank is a name with an index.

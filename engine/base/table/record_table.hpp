@@ -20,7 +20,10 @@ struct RecordTable : Table {
   std::map<std::string, std::string>
       problems{};  ///< By column: the reason why it is unreadable, with its place.
   std::map<std::string, std::vector<std::string>> words{};  ///< By column: words coded by 0, 1, ... (HDF5).
-  std::vector<RowLine> lines{};      ///< Of a text file, by row; empty if the first row is line 2.
+  std::vector<RowLine> lines{};  ///< Of a text file, by row; empty if the first row is line 2.
+  /// By column: what the double nearest to a text lacks to its exact number, as in fractions of seconds since
+  /// 1970; none for a column of exact or small numbers.
+  std::map<std::string, std::vector<double>> rests{};
   std::vector<std::string> notes{};  ///< Conversions on reading, such as "decimal comma".
 
   /// Returns a column by its whole title, "x [mm]" or "x (mm)"; nullptr if it is missing.

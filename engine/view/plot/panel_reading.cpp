@@ -230,8 +230,8 @@ std::optional<double> read_axis_number(const yaml::Node& node, const Panel& pane
   if (!read) return std::nullopt;
   const query::Series* series = panel.find(axis);
   if (series == nullptr) return read->value;
-  query::check_dimension(*read, series->formula.dimension, fmt::format("'{}'", series->formula.text), node,
-                         names, subject, faults);
+  query::check_dimension(*read, {series->formula.dimension, series->formula.is_ratio},
+                         fmt::format("'{}'", series->formula.text), node, names, subject, faults);
   if (read->dimension && *read->dimension != unit::Dimension{} && series->unit_text.empty())
     faults.add({{names.file, node.mark},
                 subject,

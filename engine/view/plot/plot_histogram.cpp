@@ -3,6 +3,7 @@
 
 #include "engine/analyse/claim/claim.hpp"
 #include "engine/analyse/claim/reduce.hpp"
+#include "engine/analyse/claim/reduced_value.hpp"
 #include "engine/view/plot/plot_tools.hpp"
 
 namespace stepwire::plot {
@@ -60,19 +61,16 @@ std::vector<double> reduced(const Panel& panel, const record::Recording& recordi
   return values;
 }
 
-/// Labels the axis of a reduced value; a value of the same dimension as x has the unit of x.
+/// Draws the reduced values in the unit that follows from that of x.
 void draw_reduced(const Panel& panel, const record::Recording& recording, const query::Series& x,
                   PlotBuilder& plot) {
-  claim::Claim claim;
-  claim.reduction = static_cast<claim::Reduction>(*panel.options<HistogramOptions>().reduction);
-  claim.values = {x.formula};
-  const auto dimension = claim::reduced_dimension(claim);
-  const bool as_x = dimension == x.formula.dimension;
+  const std::string unit_text = claim::reduced_unit(
+      static_cast<claim::Reduction>(*panel.options<HistogramOptions>().reduction), x.unit_text);
+  const unit::Unit unit = unit::parse_unit(unit_text).value_or(unit::Unit{});
   std::vector<double> values = reduced(panel, recording, x);
-  for (double& value : values) value = as_x ? x.unit.from_si(value) : value;
+  for (double& value : values) value = unit.from_si(value);
   plot.label("x", x);
-  const std::string own = dimension && *dimension != unit::Dimension{} ? unit::si_name(*dimension) : "";
-  if (!as_x) plot.spec.x.unit = own.empty() ? "" : query::printed_unit(own);
+  plot.spec.x.unit = unit_text.empty() ? "" : query::printed_unit(unit_text);
   if (panel.x.label.empty())
     plot.spec.x.label =
         claim::reduction_names()[*panel.options<HistogramOptions>().reduction] + " of " + plot.spec.x.label;

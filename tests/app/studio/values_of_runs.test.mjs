@@ -54,6 +54,7 @@ test("each number has one slider, in the unit of the file, and goes back into th
   await field(page, "zero").fill("5");
   await field(page, "zero").press("Enter");
   await page.getByText(/^5 deg from tick \d+$/).waitFor();
+  assert.equal(await field(page, "zero").inputValue(), "5 deg");
   await page.getByRole("button", {name: /^Write this value to the text.*: zero$/}).click();
   await page.waitForFunction(() => document.querySelector(".cm-content").textContent.includes("zero: {value: 5 deg}"));
 }));

@@ -193,6 +193,16 @@ TEST_CASE("times since 1970 count from the first row, and rows stay where they a
   require_near(played(text, "column: x", "0.2 s"), {0, 100, 200});
   const std::vector<std::string> notes = done(text, "column: x");
   CHECK(std::ranges::find(notes, "times count from the first row, 1790000000000 ms") != notes.end());
-  CHECK_THAT(refused("t,x\n1790000000.0000,0\n1790000000.0001,1\n1790000000.0003,3\n", "column: x"),
-             Catch::Contains("have too few digits for rows that are this close"));
+}
+
+TEST_CASE("fractions of seconds since 1970 keep all their digits") {
+  const std::string close = "t,x\n1790000000.0000,0\n1790000000.0001,1\n1790000000.0003,3\n";
+  require_near(played(close, "column: x, after_end: hold", "0.1 s"), {0, 3});
+  const std::string seconds = "t,x\n1767225600,0\n1767225601,1\n";
+  for (const std::string at : {"", ", start: 1767225600 s", ", from: 1767225600 s, to: 1767225601 s"})
+    CHECK(played(seconds, "column: x" + at, "0.2 s").at(1) == Approx(0.1).margin(1e-15).epsilon(0.0));
+  const std::string tenths = "t,x\n1767225600.1,0\n1767225600.2,1\n1767225600.3,2\n";
+  CHECK(played(tenths, "column: x", "0.2 s").at(1) == Approx(1.0).margin(1e-14).epsilon(0.0));
+  CHECK_THAT(refused(seconds, "column: x, start: 5 s"),
+             Catch::Contains("goes from 1767225600 s to 1767225601 s"));
 }

@@ -25,6 +25,10 @@ query::SymbolTable rooms() {
            {"speed", of("rpm"), 0},
            {"beat", of("Hz"), 0},
            {"guess", {}, 0},
+           {"angle", of("deg"), 0},
+           {"way", of("mm"), 0},
+           {"damping", unit::Dimension{}, 0, {}, {}, {}, {}, {}, {}, true},
+           {"slip", unit::Dimension{}, 0},
            twice_a_room()},
           {{"allowed", 273.25, of("degC"), "degC"}}};
 }
@@ -150,6 +154,76 @@ TEST_CASE("a tolerance without unit is refused where the value is in a unit othe
   CHECK(fault("final: guess in degC, equals: 20 degC, within: 0.1").empty());
   CHECK_THAT(fault("final: guess in degF, equals: 68 degF, within: 0.1"),
              Catch::Contains("write 0.1 delta_degF"));
+}
+
+TEST_CASE("the unit of a reduced value follows from the reduction and the unit of its signal") {
+  const auto shown = [](const std::string& text, double value) { return value_text(claim(text), value); };
+  CHECK(shown("rise_time: angle in deg, at_most: 1 s", 0.8) == "0.8 s");
+  CHECK(shown("settling_time: way in mm, at_most: 0.1", 0.05) == "0.05 s");
+  CHECK(shown("peak_time: angle in deg, at_most: 2 s", 1.0) == "1 s");
+  CHECK(shown("rise_time: room in degC, at_most: 100 ms", 0.008) == "0.008 s");
+  CHECK(shown("iae: angle in deg, at_most: 100 deg s", 0.7853981633974483) == "45 deg s");
+  CHECK(shown("iae: way in mm, at_most: 9 mm s", 0.004) == "4 mm s");
+  CHECK(shown("iae: room in degC, at_most: 9 K s", 4.0) == "4 K s");
+  CHECK(shown("spread: room in degC, at_most: 6 K", 5.0) == "5 K");
+  CHECK(shown("spread: room in degF, at_most: 6 K", 5.0) == "9 delta_degF");
+  CHECK(shown("steady_error: room in degC, at_most: 6 K", 5.0) == "5 K");
+  CHECK(shown("rms: room in degC, at_most: 600 K", 300.0) == "300 K");
+  CHECK(shown("spread: way in mm, at_most: 6 mm", 0.005) == "5 mm");
+  CHECK(shown("overshoot: angle in deg, at_most: 5 %", 0.04) == "0.04");
+  CHECK(shown("overshoot: damping in %, at_most: 5 %", 0.04) == "4 %");
+  CHECK(shown("fraction: way > 1 mm in %, at_least: 10 %", 0.495) == "49.5 %");
+  CHECK(shown("rising: {value: way in mm, over: time}, at_least: 0.9", 1.0) == "1");
+  CHECK(shown("fit: [way in mm, way in mm], at_least: 90", 95.0) == "95 %");
+  CHECK(fault("rms: room in degC, at_most: 25 degC") != "");
+  CHECK(fault("iae: angle in deg, at_most: 1 deg") != "");
+  CHECK_THAT(fault("rise_time: angle in deg, at_most: 1 deg"),
+             Catch::Contains("but the claim's value is in s"));
+}
+
+TEST_CASE("a unit behind a condition is refused") {
+  CHECK(fault("fraction: angle > 45 deg in deg, at_least: 10 %") ==
+        "claims.fraction: 'angle > 45 deg' is a condition, which has no unit; leave out 'in deg'\n");
+  CHECK(fault("count: angle > 45 deg in deg, at_least: 1") != "");
+  CHECK(fault("fraction_of_runs: max(angle) > 45 deg in deg, at_least: 10 %") != "");
+}
+
+TEST_CASE("a unit in the sentence of a claim has the meaning of the value") {
+  const auto document =
+      yaml::parse_document("- {that: it rises by 5 degC or 5 K, spread: room, at_most: 6}", "d.yaml");
+  yaml::Faults faults;
+  const auto claims = read_claims(document.root, Claim::Kind::statement, rooms(), faults);
+  CHECK(value_text(claims.at(0), 5.0) == "5 K");
+}
+
+TEST_CASE("a share, a count or a damping ratio is held against no angle") {
+  CHECK(fault("overshoot: slip, at_most: 5 deg") ==
+        "claims.at_most: 5 deg is in deg, but the claim's value has no unit; write a number without unit\n");
+  CHECK(fault("overshoot: angle, at_most: 5 deg") != "");
+  CHECK(fault("fraction: angle > 0, at_most: 0.1 rad") != "");
+  CHECK(fault("count: angle > 0, at_most: 5 deg") != "");
+  CHECK(fault("rising: {value: angle, over: time}, at_least: 5 deg") != "");
+  CHECK(fault("fit: [angle, angle], at_least: 5 deg") != "");
+  CHECK(fault("fraction_of_runs: max(angle) > 0, at_most: 5 deg") != "");
+  CHECK(fault("quantile_of_runs: {share: 50 %, value: overshoot(angle)}, at_most: 5 deg") != "");
+  CHECK(fault("quantile_of_runs: {share: 50 %, value: max(angle)}, at_most: 5 deg").empty());
+  CHECK(fault("quantile: {share: 5 deg, value: angle}, at_most: 5 deg") != "");
+  CHECK(fault("final: 2*damping, at_least: 5 deg") != "");
+  CHECK(fault("final: damping, equals: 1, within: 1 deg") != "");
+  CHECK_THAT(fault("final: damping in deg, at_least: 5 deg"),
+             Catch::Contains("'damping' is a pure number and cannot be drawn in deg"));
+  CHECK(fault("final: damping, at_least: 5 %").empty());
+  // Radians are a number, so a quotient of two lengths may be an angle.
+  CHECK(fault("final: acos(damping), at_least: 5 deg").empty());
+  CHECK(fault("final: slip, at_least: 5 deg").empty());
+  CHECK(fault("final: angle, at_least: 5 deg").empty());
+}
+
+TEST_CASE("an angle is held against no share") {
+  CHECK(fault("final: angle, at_most: 5 %") ==
+        "claims.at_most: 5 % is a share, but the claim's value is an angle; write it in deg or rad\n");
+  CHECK(fault("final: angle, equals: 5 deg, within: 5 %").empty());
+  CHECK(fault("final: slip, at_most: 5 %").empty());
 }
 
 }  // namespace stepwire::claim

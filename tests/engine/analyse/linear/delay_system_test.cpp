@@ -64,6 +64,60 @@ double nearest(const std::vector<Complex>& poles, const Complex& wanted) {
 
 }  // namespace
 
+TEST_CASE("all crossings of a fast lag behind a delay are listed up to the last crossover") {
+  // L = 100 / (0.01 s + 1) exp(-0.31 s) is real and negative where atan(0.01 w) + 0.31 w = (2 k + 1) pi.
+  const Margins margins =
+      margins_of(delayed(Eigen::MatrixXd::Constant(1, 1, -100.0), Eigen::VectorXd::Constant(1, 100.0),
+                         Eigen::RowVectorXd::Constant(1, 100.0), 0.31),
+                 -1.0);
+  const double last = margins.gain_up_to;
+  CHECK(last > 1e4);  // |L| = 1 at 9999.5 rad/s
+  CHECK(margins.gain_left_out == 0);
+  const double turns = (std::atan(0.01 * last) + 0.31 * last) / (2.0 * pi);
+  REQUIRE(static_cast<double>(margins.gain.size()) == std::floor(turns + 0.5));
+  for (std::size_t k = 0; k < margins.gain.size(); ++k) {
+    const double w = margins.gain[k].frequency;
+    CHECK(std::atan(0.01 * w) + 0.31 * w == Approx((2.0 * static_cast<double>(k) + 1.0) * pi).epsilon(1e-12));
+    CHECK(margins.gain[k].margin == Approx(std::hypot(1.0, 0.01 * w) / 100.0).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("poles are counted beside two poles at rest, whichever states a controller has") {
+  // A PD controller, an unstable lag, an all-pass and two integrators behind 0.1 s: no gain makes that
+  // stable. The states of the controller are those of a PID, the idle integral among them, then of a transfer
+  // function.
+  for (const bool has_integral : {true, false}) {
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(7, 7);
+    Eigen::VectorXd B = Eigen::VectorXd::Zero(7);
+    A(1, 1) = -100.0;
+    A(2, 0) = has_integral ? 1.0 : 0.0;
+    A(2, 1) = has_integral ? -10.0 : -1000.0;
+    A(2, 2) = 0.16674999999996962;
+    A(3, 2) = A(5, 2) = 0.3335;
+    A(3, 3) = -8.8;
+    A(3, 4) = -30.5;
+    A(4, 3) = A(6, 5) = 1.0;
+    A(5, 3) = -17.6;
+    B(1) = has_integral ? 100.0 : 1.0;
+    B(2) = 11.0;
+    Eigen::RowVectorXd C = Eigen::RowVectorXd::Zero(7);
+    C(6) = 1.0;
+    const Margins margins = margins_of(delayed(A, B, C, 0.1), -1.0);
+    INFO(has_integral);
+    CHECK(margins.knows_stability);
+    CHECK_FALSE(margins.stable);
+  }
+}
+
+TEST_CASE("the number of crossings that are not listed is known") {
+  // An integrator of gain 1e6 / s behind 1 s passes 159155 half turns before its crossover.
+  const Margins margins = margins_of(integrator(1e6, 1.0), -1.0);
+  CHECK(margins.gain_up_to > 1e6);
+  const double turns = (0.5 * pi + margins.gain_up_to) / (2.0 * pi);
+  CHECK(static_cast<double>(margins.gain.size() + margins.gain_left_out) == std::floor(turns + 0.5));
+  CHECK(margins.gain_left_out > 100'000);
+}
+
 TEST_CASE("an integrator behind a delay has the margins of its closed form") {
   for (const double gain : {0.02, 0.3, 1.2})
     for (const double time : {0.01, 1.0}) {

@@ -159,6 +159,62 @@ claims:
   CHECK(std::filesystem::exists(folder.path("out/figure-3.svg")));
 }
 
+TEST_CASE("numbers of an analysis have the unit that its picture draws, and ratios are no angles") {
+  const Scratch folder;
+  const auto file_of = [](const std::string& claims) {
+    return R"(stepwire: 1
+title: A lag
+step: 10 ms
+stop: 1 s
+solver: rk4
+blocks:
+  u: {block: Constant, value: 1}
+  lag: {block: Lag, u: u, tau: 0.5 s}
+record: [lag]
+linear: {p: {from: u, to: lag}}
+figure: {plot: lines, x: p.pole.real in 1/s, y: p.pole.imaginary in rad/s}
+claims:
+)" + claims;
+  };
+  folder.file("a.yaml",
+              file_of("  - {that: fast, max: p.pole.real, at_most: -1 1/s}\n"
+                      "  - {that: one pole, final: p.pole.real in 1/s, equals: -2 1/s, within: 1 %}\n"
+                      "  - {that: phase, min: p.phase, at_least: -90 deg}\n"));
+  const Done done = run_program(folder, {"run", "a.yaml", "--out", "out"});
+  INFO(done.err << done.out);
+  CHECK(done.code == 0);
+  folder.file("b.yaml", file_of("  - {that: a, final: p.margin.gain_db, at_least: 6 deg}\n"
+                                "  - {that: b, final: p.damping, at_least: 5 deg}\n"
+                                "  - {that: c, final: p.margin.phase, at_least: 5 %}\n"));
+  const Done refused = run_program(folder, {"check", "b.yaml"});
+  CHECK_THAT(refused.err + refused.out, Contains("6 deg is in deg, but the claim's value has no unit") &&
+                                            Contains("5 deg is in deg, but the claim's value has no unit") &&
+                                            Contains("5 % is a share, but the claim's value is an angle"));
+}
+
+TEST_CASE("crossings of a delay beyond the listed ones are mentioned in the text and in linear.json") {
+  const Scratch folder;
+  folder.file("a.yaml", R"(stepwire: 1
+title: A fast lag behind a delay
+step: 1 ms
+stop: 1 s
+solver: rk4
+blocks:
+  e: {block: Sum, signs: "+-", u: [1, y]}
+  a: {block: Lag, u: e, tau: 10 ms, gain: 100}
+  y: {block: TransportDelay, u: a, delay: 310 ms}
+record: [e, y]
+)");
+  const Done done =
+      run_program(folder, {"linearize", "a.yaml", "--from", "e", "--to", "e", "--open", "e", "--out", "out"});
+  INFO(done.err << done.out);
+  CHECK_THAT(done.out, Contains("crossings beyond") && Contains("rad/s are not listed"));
+  const nlohmann::json margins = json_file(folder, "out/linear.json")["channels"][0]["margins"];
+  CHECK(margins["gain_crossings_up_to"].get<double>() > 1e4);
+  CHECK(margins["gain_crossings_left_out"] == 0);
+  CHECK(margins["gain_crossings"].size() > 494);
+}
+
 TEST_CASE("legends of linear analyses have the unit of the file, as those of lines") {
   const Scratch folder;
   folder.file("a.yaml", R"(stepwire: 1

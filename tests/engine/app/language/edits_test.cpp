@@ -126,6 +126,25 @@ TEST_CASE("a wire is refused where sizes do not fit") {
   CHECK_FALSE(offers(fitting, {"turned", "u"}));
 }
 
+TEST_CASE("a refused wire names its own input first, wherever its unit does not fit") {
+  Cart files;
+  files.open("b.yaml", file_head +
+                           "blocks:\n  room: {block: Constant, value: 20 degC}\n"
+                           "  want: {block: Step, time: 0.2 s, after: 600 rpm}\n"
+                           "  e: {block: Sum, signs: \"+-\", u: [want, motor]}\n"
+                           "  pi: {block: PID, u: e, kp: 2, ki: 10 1/s}\n"
+                           "  motor: {block: Lag, u: pi, tau: 200 ms}\n"
+                           "  turn: {block: Integrator, u: motor, initial: 0 deg}\n");
+  for (const char* input : {"u.1", "u.2"}) {
+    try {
+      files.edited("b.yaml", Connect{"room", "e", input});
+      FAIL("not refused");
+    } catch (const EditRefused& error) {
+      CHECK_THAT(error.what(), Catch::StartsWith("e.u") && Contains("K") && Contains("rad/s"));
+    }
+  }
+}
+
 TEST_CASE("a list of signals grows, and one of them is replaced") {
   Cart files;
   const std::string head =

@@ -60,6 +60,37 @@ TEST_CASE("cells without proof follow the mark that other cells of the file prov
   CHECK(column("t,x\n1.234,2.345\n", "x") == Values{2.345});  // plain commas part columns: points are decimal
 }
 
+TEST_CASE("the mark that the numbers of a file prove leaves the other one for thousands") {
+  CHECK(column("t;x;y\n0;0;0,5\n1;1.000;0,7\n", "x") == Values{0.0, 1000.0});
+  CHECK(column("t;x;y\n0;0;0.5\n1;1,000;0.7\n", "x") == Values{0.0, 1000.0});
+  CHECK(column("t;x\n0,5;1.234\n1;2.000\n", "t") == Values{0.5, 1.0});
+  const auto notes = read("t;x;y\n0;0;0,5\n1;1.000;0,7\n").notes;
+  CHECK(std::find(notes.begin(), notes.end(), "thousands separators") != notes.end());
+}
+
+TEST_CASE("bars part columns where the header and the next line have as many") {
+  CHECK(column("t|x [mm]\n0|0,5\n1|1,5\n", "x") == Values{0.5, 1.5});
+  CHECK(unit("t|x\ns|mm\n0|1\n1|2\n", "x") == "mm");
+  CHECK(column("t,|x|\n0,1\n1,2\n", "|x|") == Values{1.0, 2.0});
+  CHECK(column("|x|\n1\n2\n", "|x|") == Values{1.0, 2.0});
+}
+
+TEST_CASE("fixed blanks around a cell are blanks") {
+  CHECK(column("t;\xC2\xA0x [mm]\n0;\xC2\xA0"
+               "1,5\n1;2,5\xC2\xA0\xE2\x80\xAF\n",
+               "x") == Values{1.5, 2.5});
+}
+
+TEST_CASE("a large number of a text has the rest that its double lacks") {
+  const table::RecordTable table = read("t,x\n1767225600,0\n1767225600.1,1e7\n+1767225600.25 ,10000000.3\n");
+  const Values &t = table.find("t")->values, &rest = table.rests.at("t");
+  CHECK((t[1] - t[0]) + (rest[1] - rest[0]) == Approx(0.1).margin(1e-16));
+  CHECK((t[2] - t[0]) + (rest[2] - rest[0]) == 0.25);
+  CHECK(read("t;x\n0;-1.767.225.600,1\n1;0\n").rests.at("x")[0] ==
+        Approx(-(0.1 - (1767225600.1 - 1767225600.0))).margin(1e-16));
+  CHECK(read("t,x\n0.1,1\n1e9,123456.7\n").rests.empty());
+}
+
 TEST_CASE("a number that may be a thousand times another one is refused with both cures") {
   const std::string expected =
       "press.csv:2: '1,234' is 1.234 or 1234: write `decimal: \",\"` where the comma is decimal, or "
@@ -67,14 +98,12 @@ TEST_CASE("a number that may be a thousand times another one is refused with bot
       "\".\"` where it parts thousands (column 'x')";
   CHECK(problem("t;x\n0;1,234\n1;2,000\n", "x") == expected);
   CHECK(problem("t,x\n0,\"1,234\"\n1,\"2,000\"\n", "x") == expected);
-  // the point of the times does not show that the same hand wrote the values
-  CHECK(problem("t;x\n0.5;1,234\n1;2,000\n", "x") == expected);
   CHECK(problem("t;x\n0;1.234\n1;2.000\n", "x") ==
         "press.csv:2: '1.234' is 1.234 or 1234: write `decimal: \".\"` where the point is decimal, or "
         "`decimal: "
         "\",\"` where it parts thousands (column 'x')");
-  CHECK(problem("t;x\n0,5;1.234\n1;2.000\n", "x") != "");
-  CHECK(problem("t;x\n0,5;1.234\n1;2.000\n", "t").empty());
+  // columns of both marks prove neither
+  CHECK(problem("t;x;y;z\n0,5;1.234;0.5;0,5\n1;2.000;1;1\n", "x") != "");
 }
 
 TEST_CASE("a given decimal mark settles what is open, and refuses the other one") {
@@ -177,6 +206,11 @@ TEST_CASE("times of the calendar become seconds from the first row") {
         Values{0.0, 0.25});
   CHECK(column("t;x\n2026-11-27T10:00:01Z;0\n2026-11-27T10:00:00Z;1\n", "t") == Values{1.0, 0.0});
   CHECK(read("t;x\n2026-11-27T10:00:00Z;0\n").notes.back() == "'t' in seconds from 2026-11-27T10:00:00Z");
+}
+
+TEST_CASE("times of the day without a date count from the first one") {
+  CHECK(column("t,x\n23:59:58.5,0\n23:59:59,1\n24:00:00,2\n", "t") == Values{0.0, 0.5, 1.5});
+  CHECK(problem("t,x\n10:00:00,0\n2026-11-27 10:00:01,1\n", "t") != "");
 }
 
 TEST_CASE("times of several forms in a column are refused") {

@@ -163,6 +163,18 @@ TEST_CASE("a box has the quartiles of its sample after Hazen, its median a strok
   check_range(plot.x, {0.4, 2.6});
 }
 
+TEST_CASE("the axis of reduced values has the unit that follows from the reduction") {
+  const auto unit_of = [](const std::string& x, const std::string& reduce) {
+    return spec_of("{plot: histogram, x: " + x + ", reduce: " + reduce + "}", {0.0, 0.1, 0.2}, 4).x.unit;
+  };
+  CHECK(unit_of("rig.x in mm", "spread") == "mm");
+  CHECK(unit_of("rig.x in mm", "rise_time") == "s");
+  CHECK(unit_of("rig.x in mm", "iae") == "mm s");
+  CHECK(unit_of("rig.x in mm", "overshoot").empty());
+  CHECK(unit_of("293.15 K + rig.x*1 K/m in degC", "spread") == "K");
+  CHECK(unit_of("293.15 K + rig.x*1 K/m in degC", "max") == "degC");
+}
+
 TEST_CASE("a histogram counts the values of each bin") {
   const PlotSpec plot = spec_of("{plot: histogram, x: time, bins: 2, lines: 0.5 s}", {0.0}, 4);
   const auto& bins = mark<RectanglesMark>(plot, 0);

@@ -197,8 +197,8 @@ export class Connecting {
       if (before && before !== source.name) this.context.notify(`${said} instead of ${before}: an input has one source; Ctrl+Z restores it`);
       else this.context.announce(said);
     } catch (thrown) {
-      const why = Fault.from(thrown).message;
-      if (at) this.refusal.show(at, `${source.name} to ${this.labelOf(target)}: ${why}`);
+      const why = Fault.from(thrown).message, label = this.labelOf(target);
+      if (at) this.refusal.show(at, why.startsWith(label) ? why : `${source.name} to ${label}: ${why}`);
       else this.context.notify(why, "fault");
     }
   }

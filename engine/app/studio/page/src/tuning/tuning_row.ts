@@ -90,8 +90,9 @@ export class TuningRow {
     const text = this.field.value.trim();
     if (text === this.entered || text === "" || text === valueText(this.parameter.value, this.unit)) return;
     const isBare = /^[-+]?[\d.]+(e[-+]?\d+)?$/i.test(text);
-    this.entered = text;
-    void this.queue.put(isBare && this.unit.text && this.unit.text !== "1" ? `${text} ${this.unit.text}` : text);
+    this.entered = isBare && this.unit.text && this.unit.text !== "1" ? `${text} ${this.unit.text}` : text;
+    this.field.value = this.entered;
+    void this.queue.put(this.entered);
   }
 
   /** Text that was sent last: Enter and the change of the field follow each other. */
