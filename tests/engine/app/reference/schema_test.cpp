@@ -41,8 +41,9 @@ std::vector<std::filesystem::path> diagram_files() {
   std::vector<std::filesystem::path> files;
   const auto folder = std::filesystem::path(STEPWIRE_SOURCE_DIR) / "diagrams";
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    const bool is_page = entry.path().parent_path().filename() == "gallery";  // words of pages, no diagrams
-    if (entry.path().extension() == ".yaml" && !is_page) files.push_back(entry.path());
+    const std::string in = entry.path().parent_path().filename().string();
+    const bool is_diagram = in != "gallery" && in != "polar-rig";  // words of pages, and wires of a rig
+    if (entry.path().extension() == ".yaml" && is_diagram) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   return files;
