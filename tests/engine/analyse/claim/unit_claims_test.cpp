@@ -170,7 +170,7 @@ TEST_CASE("the unit of a reduced value follows from the reduction and the unit o
   CHECK(shown("steady_error: room in degC, at_most: 6 K", 5.0) == "5 K");
   CHECK(shown("rms: room in degC, at_most: 600 K", 300.0) == "300 K");
   CHECK(shown("spread: way in mm, at_most: 6 mm", 0.005) == "5 mm");
-  CHECK(shown("overshoot: angle in deg, at_most: 5 %", 0.04) == "0.04");
+  CHECK(shown("overshoot: angle in deg, at_most: 0.05", 0.04) == "0.04");
   CHECK(shown("overshoot: damping in %, at_most: 5 %", 0.04) == "4 %");
   CHECK(shown("fraction: way > 1 mm in %, at_least: 10 %", 0.495) == "49.5 %");
   CHECK(shown("rising: {value: way in mm, over: time}, at_least: 0.9", 1.0) == "1");
