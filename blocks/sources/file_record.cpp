@@ -166,6 +166,7 @@ Beginning beginning_of(const FromFile& asked, const Configure& is, const table::
   for (const std::size_t row : order.left_out)
     if (time_of(row) < time_of(first)) first = row;
   if (!(rounding > changes || std::abs(time_of(first)) > late)) return {};
+  if (!std::isfinite(time_of(order.rows.back()) - time_of(first))) return {};
   refuse_lost(asked, is, table, column, order.rows);
   const bool counts = rounding > moves;
   if (counts)

@@ -100,14 +100,13 @@ void read_ends(const RigKind& kind, RigElement& element, const yaml::Node& node,
 
 /// Reads an angle from x towards y, or components along the axes.
 void read_direction(RigElement& element, const yaml::Node& node, const RigReading& read) {
-  const yaml::Key share = form::computed();
   if (!node.is_list()) {
-    const auto angle = read.number(node, share);
+    const auto angle = read.number(node, form::computed("rad"));
     if (angle) element.direction = {std::cos(*angle), std::sin(*angle)};
     return;
   }
   for (const yaml::Node& item : node.items)
-    if (const auto one = read.number(item, share)) element.direction.push_back(*one);
+    if (const auto one = read.number(item, form::computed())) element.direction.push_back(*one);
   const bool any = std::ranges::any_of(element.direction, [](double one) { return one != 0.0; });
   if (!any || element.direction.size() < 2 || element.direction.size() > query::max_coordinates)
     read.fault(node.mark, "a direction is an angle such as 60 deg, or shares along the axes: [0, 0, 1]");
@@ -167,10 +166,10 @@ std::vector<ElementTable::Row> element_rows() {
   rows.push_back({"offset", "of a dimension, to the left of the way between its points", form::computed("m"),
                   &RigElement::offset});
   rows.push_back(yaml::beside(
-      directed, ElementTable::Row{
-                    "direction", "an angle from x towards y, or shares along the axes",
-                    form::either({form::computed(), form::list(form::computed(), 2, query::max_coordinates)}),
-                    read_direction}));
+      directed, ElementTable::Row{"direction", "an angle from x towards y, or shares along the axes",
+                                  form::either({form::computed("rad"),
+                                                form::list(form::computed(), 2, query::max_coordinates)}),
+                                  read_direction}));
   return rows;
 }
 
