@@ -86,15 +86,14 @@ DecimalVerdict DecimalSurvey::verdict(bool comma_separated) const {
   const bool no_comma = std::ranges::none_of(
       columns_, [](const Column& one) { return !one.has_text && one.either_comma.has_value(); });
   const bool comma = commas > points;
-  const bool proved = (commas == 0) != (points == 0);
   const bool certain = commas != points || (commas == 0 && comma_separated && no_comma);
   DecimalVerdict verdict;
   verdict.decimal = comma ? Decimal::comma : Decimal::point;
   for (const Column& one : columns_) {
     std::optional<DecimalVerdict::Problem> problem = conflict(one, comma);
     if (!problem && commas == points) problem = conflict(one, !comma);
-    const bool grouped = proved || (comma ? one.proof_of_comma().has_value()
-                                          : one.proof_of_point().has_value() || comma_separated);
+    const bool grouped =
+        comma ? one.proof_of_comma().has_value() : one.proof_of_point().has_value() || comma_separated;
     if (!problem && !grouped) problem = doubt(comma ? one.either_point : one.either_comma);
     if (!problem && !certain) problem = doubt(one.either_comma ? one.either_comma : one.either_point);
     if (one.has_text) problem.reset();

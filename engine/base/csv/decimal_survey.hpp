@@ -28,9 +28,9 @@ struct DecimalVerdict {
 
 /// Infers the decimal mark of a file from all its cells. A cell such as 0,2 or 1.234,5 proves a comma; 0.2 or
 /// 1,234.5 proves a point; 1,234 and 1.234 alone prove neither. The mark that more columns prove holds for
-/// the file, and the other mark separates thousands. A column that proves the other mark is refused. Where no
-/// column or columns of both marks prove one, a column in which a mark may be decimal or separate thousands
-/// is refused as well. Its numbers could be wrong by a factor of 1000. Columns with texts are ignored.
+/// the file. A column that proves the other mark is refused. A column in which a mark may be decimal or
+/// separate thousands is refused as well. Its numbers could be wrong by a factor of 1000. Columns with
+/// texts are ignored.
 class DecimalSurvey {
  public:
   explicit DecimalSurvey(std::size_t columns) : columns_(columns) {}
