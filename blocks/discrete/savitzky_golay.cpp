@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/block/declare_reset.hpp"
 
 namespace stepwire {
@@ -21,12 +22,12 @@ Numbers coefficients_of(Index window, Index order, Index derivative, double inte
   for (Index k = 0; k < window; ++k) {
     const double place = static_cast<double>(k - half) / static_cast<double>(half);
     for (Index power = 0; power <= order; ++power)
-      powers(power, k) = std::pow(place, static_cast<double>(power));
+      powers(power, k) = fn::pow(place, static_cast<double>(power));
   }
   Eigen::VectorXd wanted = Eigen::VectorXd::Zero(order + 1);
   const double factorial = derivative == 2 ? 2.0 : 1.0;
   wanted(derivative) =
-      factorial / std::pow(static_cast<double>(half) * interval, static_cast<double>(derivative));
+      factorial / fn::pow(static_cast<double>(half) * interval, static_cast<double>(derivative));
   const Eigen::VectorXd result = powers.completeOrthogonalDecomposition().solve(wanted);
   return {result.data(), result.size()};
 }

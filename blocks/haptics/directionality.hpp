@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/base/math/sum_of_squares.hpp"
 #include "engine/model/block/block.hpp"
 
@@ -55,7 +56,7 @@ struct Directionality {
 
  private:
   void resist_on_turned_axes() {
-    const double c = std::cos(angle), s = std::sin(angle);
+    const double c = fn::cos(angle), s = fn::sin(angle);
     const double most[2] = {c * f_max[0] + s * f_max[1], c * f_max[1] - s * f_max[0]};
     const double push[2] = {pushed(c * hand(0) + s * hand(1)), pushed(c * hand(1) - s * hand(0))};
     double out[2] = {};

@@ -3,6 +3,7 @@
 
 #include "blocks/haptics/region.hpp"
 #include "blocks/haptics/region/shape_reader.hpp"
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/block/outline.hpp"
 
 namespace stepwire {
@@ -27,7 +28,7 @@ std::vector<Outline::Point> thinned(const std::vector<Outline::Point>& points, d
   std::vector<Outline::Point> result;
   for (const Outline::Point& point : points) {
     const bool apart =
-        result.empty() || std::hypot(point[0] - result.back()[0], point[1] - result.back()[1]) >= least;
+        result.empty() || fn::hypot(point[0] - result.back()[0], point[1] - result.back()[1]) >= least;
     if (apart || &point == &points.back()) result.push_back(point);
   }
   return result;
@@ -61,7 +62,7 @@ Vector3 crossed(Vector3 a, Vector3 b) {
 Outline::Line circle(Vector3 centre, double radius, Vector3 u, Vector3 v) {
   Outline::Line line;
   for (int angle = 0; angle <= 360; angle += 3) {
-    const Vector3 point = centre + radius * (std::cos(angle * degree) * u + std::sin(angle * degree) * v);
+    const Vector3 point = centre + radius * (fn::cos(angle * degree) * u + fn::sin(angle * degree) * v);
     line.points.push_back({point.x, point.y, point.z});
   }
   return line;

@@ -20,7 +20,7 @@ struct AnalogToDigital {
   Time time{};
   double most = 1.0;  ///< counts at the voltage `range`
 
-  void prepare() { most = std::exp2(static_cast<double>(bits - 1)); }
+  void prepare() { most = std::ldexp(1.0, static_cast<int>(bits - 1)); }
   void outputs() {
     counts.each([&](Index i) { return std::clamp(nearest(i), -most, most - 1.0); });
   }

@@ -17,7 +17,7 @@ struct DigitalToAnalog {
   Output<> y{};
   double most = 1.0;  ///< counts at the voltage `range`
 
-  void prepare() { most = std::exp2(static_cast<double>(bits - 1)); }
+  void prepare() { most = std::ldexp(1.0, static_cast<int>(bits - 1)); }
   void outputs() {
     y.each([&](Index i) {
       return range[i] / most * std::clamp(std::floor(counts[i] + 0.5), -most, most - 1.0);

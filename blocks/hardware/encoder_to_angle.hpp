@@ -28,7 +28,7 @@ struct EncoderToAngle {
 
   void prepare() {
     turn = counts_per_revolution.map([](double per_turn) { return 2.0 * std::numbers::pi / per_turn; });
-    levels = std::exp2(static_cast<double>(bits));
+    levels = std::ldexp(1.0, static_cast<int>(bits));
   }
   void outputs() {
     angle.each([&](Index i) { return zero[i] + turn[i] * (total[i] + believed(i)); });

@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <numbers>
 
+#include "engine/base/math/elementary.hpp"
+
 namespace stepwire {
 
 namespace {
@@ -23,7 +25,7 @@ Matrix three_beams(double across, double along, double torque) {
   constexpr double shown = 4.0;
   Square calibration = Square::Zero();
   for (int beam = 0; beam < 3; ++beam) {
-    const double at = 2.0 * std::numbers::pi * beam / 3.0, sine = std::sin(at), cosine = std::cos(at);
+    const double at = 2.0 * std::numbers::pi * beam / 3.0, sine = fn::sin(at), cosine = fn::cos(at);
     calibration(2, beam) = along / 3.0;
     calibration(3, beam) = torque * sine * 2.0 / 3.0;
     calibration(4, beam) = -torque * cosine * 2.0 / 3.0;

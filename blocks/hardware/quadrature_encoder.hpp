@@ -21,7 +21,7 @@ struct QuadratureEncoder {
 
   void prepare() {
     turn = counts_per_revolution.map([](double per_turn) { return 2.0 * std::numbers::pi / per_turn; });
-    levels = std::exp2(static_cast<double>(bits));
+    levels = std::ldexp(1.0, static_cast<int>(bits));
   }
   void outputs() {
     counts.each([&](Index i) { return wrapped(std::floor((angle[i] - zero[i]) / turn[i] + 0.5)); });

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/base/math/normal_quantile.hpp"
 #include "engine/model/block/block.hpp"
 
@@ -29,7 +30,7 @@ struct Sensor {
   PerElement interval = 0.0;  ///< between two levels of the converter; 0: no converter
 
   void prepare() {
-    const double levels = std::exp2(static_cast<double>(bits));
+    const double levels = std::ldexp(1.0, static_cast<int>(bits));
     interval = converter_range.map([&](double range) { return range / levels; });
   }
   void outputs() {
@@ -53,7 +54,7 @@ struct Sensor {
   /// Returns the nonlinearity: one sine period over the range, with zeros at both ends and in the middle.
   double deviation_at(double x, Index i) const {
     const double span = upper[i] - lower[i];
-    return linearity[i] * span * std::sin(2.0 * std::numbers::pi * (x - lower[i]) / span);
+    return linearity[i] * span * fn::sin(2.0 * std::numbers::pi * (x - lower[i]) / span);
   }
   double converted(double x, Index i) const {
     return interval[i] > 0.0 ? interval[i] * std::floor(x / interval[i] + 0.5) : x;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -12,7 +13,7 @@ struct Atan2 {
   Output<> y{};
 
   void outputs() {
-    y.each([&](Index k) { return std::atan2(opposite[k], adjacent[k]); });
+    y.each([&](Index k) { return fn::atan2(opposite[k], adjacent[k]); });
   }
 
   static void declare(Declare<Atan2>& is);

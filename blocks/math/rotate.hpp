@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -15,7 +16,7 @@ struct Rotate {
   Output<2> y{};
 
   void outputs() {
-    const double c = std::cos(angle), s = inverse ? -std::sin(angle) : std::sin(angle);
+    const double c = fn::cos(angle), s = inverse ? -fn::sin(angle) : fn::sin(angle);
     y[0] = c * u[0] - s * u[1];
     y[1] = s * u[0] + c * u[1];
   }

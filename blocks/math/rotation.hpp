@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/base/math/sum_of_squares.hpp"
 #include "engine/model/signal/index.hpp"
 
@@ -54,7 +55,7 @@ void matrix_of_angles(Order order, const Angles& angles, M&& m) {
   axes_of(order, axes);
   for (Index k = 0; k < 9; ++k) m[k] = k % 4 == 0 ? 1.0 : 0.0;
   for (Index turn = 0; turn < 3; ++turn) {
-    const double c = std::cos(angles[turn]), s = std::sin(angles[turn]);
+    const double c = fn::cos(angles[turn]), s = fn::sin(angles[turn]);
     const Index one = 3 * ((axes[turn] + 1) % 3), two = 3 * ((axes[turn] + 2) % 3);
     for (Index row = 0; row < 3; ++row) {
       const double first = m[one + row], second = m[two + row];
@@ -68,8 +69,8 @@ void matrix_of_angles(Order order, const Angles& angles, M&& m) {
 template <class Axis>
 void quaternion_of_axis(const Axis& axis, double angle, double* q) {
   const double length = length_of(3, [&](Index k) { return axis[k]; });
-  q[0] = std::cos(0.5 * angle);
-  for (Index k = 0; k < 3; ++k) q[k + 1] = std::sin(0.5 * angle) * axis[k] / length;
+  q[0] = fn::cos(0.5 * angle);
+  for (Index k = 0; k < 3; ++k) q[k + 1] = fn::sin(0.5 * angle) * axis[k] / length;
 }
 
 }  // namespace rotation

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -21,25 +22,25 @@ struct Trig {
   double of(double x) const {
     switch (function) {
       case Function::sin:
-        return std::sin(x);
+        return fn::sin(x);
       case Function::cos:
-        return std::cos(x);
+        return fn::cos(x);
       case Function::tan:
-        return std::tan(x);
+        return fn::tan(x);
       case Function::asin:
-        return std::asin(x);
+        return fn::asin(x);
       case Function::acos:
-        return std::acos(x);
+        return fn::acos(x);
       case Function::atan:
-        return std::atan(x);
+        return fn::atan(x);
       case Function::sinh:
-        return std::sinh(x);
+        return fn::sinh(x);
       case Function::cosh:
-        return std::cosh(x);
+        return fn::cosh(x);
       case Function::tanh:
         break;
     }
-    return std::tanh(x);
+    return fn::tanh(x);
   }
 
   static void declare(Declare<Trig>& is);

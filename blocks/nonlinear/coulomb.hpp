@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -32,7 +33,7 @@ struct Coulomb {
 
  private:
   double direction(Index i) const {
-    if (smoothing[i] > 0.0) return std::tanh(u[i] / smoothing[i]);
+    if (smoothing[i] > 0.0) return fn::tanh(u[i] / smoothing[i]);
     return holds_side ? side[i] : sign(u[i]);
   }
   static double sign(double v) { return v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : v; }  // preserves 0 and NaN

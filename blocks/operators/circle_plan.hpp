@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -21,7 +22,7 @@ struct CirclePlan {
   DiscreteState<1> angle{};   ///< turned until the last tick
 
   void outputs() {
-    const double x = position[0] - center[0], y = position[1] - center[1], r = std::hypot(x, y);
+    const double x = position[0] - center[0], y = position[1] - center[1], r = fn::hypot(x, y);
     outward[0] = r > 0.0 ? x / r : 1.0;
     outward[1] = r > 0.0 ? y / r : 0.0;
     off = r - radius;
@@ -39,18 +40,18 @@ struct CirclePlan {
  private:
   /// Returns the angle from the last tick to this one, within half a turn.
   double turn() const {
-    return std::atan2(facing[0] * outward[1] - facing[1] * outward[0],
-                      facing[0] * outward[0] + facing[1] * outward[1]);
+    return fn::atan2(facing[0] * outward[1] - facing[1] * outward[0],
+                     facing[0] * outward[0] + facing[1] * outward[1]);
   }
 
   /// Computes the step from (x, y), about the centre, to the via point.
   void plan(double x, double y) {
-    const double r = std::hypot(x, y), theta = std::atan2(y, x) + speed * interval / radius;
-    const double next = r - (radius - r) * std::expm1(-correction * interval);
-    step[0] = next * std::cos(theta) - x;
-    step[1] = next * std::sin(theta) - y;
-    righting[0] = (next - r) * std::cos(theta);
-    righting[1] = (next - r) * std::sin(theta);
+    const double r = fn::hypot(x, y), theta = fn::atan2(y, x) + speed * interval / radius;
+    const double next = r - (radius - r) * fn::expm1(-correction * interval);
+    step[0] = next * fn::cos(theta) - x;
+    step[1] = next * fn::sin(theta) - y;
+    righting[0] = (next - r) * fn::cos(theta);
+    righting[1] = (next - r) * fn::sin(theta);
   }
 };
 

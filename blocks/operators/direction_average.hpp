@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -18,16 +19,16 @@ struct DirectionAverage {
   DiscreteState<1> weight{}, squares{};
 
   void outputs() {
-    const double x = kept() * sum[0] + counts() * std::cos(direction);
-    const double across = kept() * sum[1] + counts() * std::sin(direction);
+    const double x = kept() * sum[0] + counts() * fn::cos(direction);
+    const double across = kept() * sum[1] + counts() * fn::sin(direction);
     const double w = kept() * weight + counts(), q = kept() * kept() * squares + counts();
-    y = std::atan2(across, x);
+    y = fn::atan2(across, x);
     precision = w > 0.0 ? 1.0 / (bias * bias + noise * noise * q / (w * w)) : 0.0;
   }
 
   void update() {
-    sum[0] = kept() * sum[0] + counts() * std::cos(direction);
-    sum[1] = kept() * sum[1] + counts() * std::sin(direction);
+    sum[0] = kept() * sum[0] + counts() * fn::cos(direction);
+    sum[1] = kept() * sum[1] + counts() * fn::sin(direction);
     weight = kept() * weight + counts();
     squares = kept() * kept() * squares + counts();
   }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -50,7 +51,7 @@ struct DriftEstimator {
  private:
   void predict() {
     const double ago = begun != 0.0 ? std::abs(along - last) / correlation : 0.0;
-    const double kept = std::exp(-ago), fresh = -std::expm1(-2.0 * ago) * deviation * deviation;
+    const double kept = fn::exp(-ago), fresh = -fn::expm1(-2.0 * ago) * deviation * deviation;
     estimate.each([&](Index i) { return kept * before[i]; });
     covariance.each([&](Index i) { return kept * kept * spread[i] + (i == 1 ? 0.0 : fresh); });
   }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -27,7 +28,7 @@ struct ForwardModel {
 
   void update() {
     constexpr int parts = 4;
-    const double h = period / parts, decay = std::exp(-h / muscle);
+    const double h = period / parts, decay = fn::exp(-h / muscle);
     for (int part = 0; part < parts; ++part)
       for (Index i = 0; i < 2; ++i) {
         const double before = e[i];

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -59,10 +60,10 @@ struct HeadingPosterior {
     for (Index cue = 0; cue < direction.count(); ++cue)
       if (const double precise = precision.first(cue); precise > 0.0)
         for (Index k = 0; k < headings; ++k)
-          p[static_cast<std::size_t>(k)] += precise * std::cos(angle(k) - direction.first(cue));
+          p[static_cast<std::size_t>(k)] += precise * fn::cos(angle(k) - direction.first(cue));
     const double most = *std::max_element(p.begin(), p.end());
     double total = 0.0;
-    for (double& each : p) total += each = std::exp(each - most);
+    for (double& each : p) total += each = fn::exp(each - most);
     for (double& each : p) each /= total;
     describe(p);
   }
@@ -92,11 +93,11 @@ struct HeadingPosterior {
     sure = 0.0;
     for (Index k = 0; k < headings; ++k) {
       const double each = p[static_cast<std::size_t>(k)];
-      x += each * std::cos(angle(k));
-      y += each * std::sin(angle(k));
+      x += each * fn::cos(angle(k));
+      y += each * fn::sin(angle(k));
       sure = sure + each * share_within(std::abs(difference(angle(k), heading)));
     }
-    deviation = std::sqrt(-2.0 * std::log(std::clamp(std::hypot(x, y), 1e-12, 1.0)));
+    deviation = std::sqrt(-2.0 * fn::log(std::clamp(fn::hypot(x, y), 1e-12, 1.0)));
   }
 
   /// Returns the share of the cell about a heading at the distance `away` from the chosen one that is within
@@ -116,13 +117,13 @@ struct HeadingPosterior {
   /// Returns the log-likelihood up to a constant. A held hand feels at most its own push.
   double likelihood(double away) const {
     constexpr double quarter = turn / 4.0, root_of_two = 1.4142135623730951, least = 1e-12;
-    const double gain = away < quarter ? std::sin(away) : 1.0;
+    const double gain = away < quarter ? fn::sin(away) : 1.0;
     const double expected = std::max(static_cast<double>(free), maximum * gain);
     const double square =
         weber * weber * expected * expected + unsure * unsure * free * free + threshold * threshold;
     const double z = (force - expected) / std::sqrt(square);
-    if (moving == 0.0) return std::log(std::max(least, 0.5 * std::erfc(z / root_of_two)));
-    return -0.5 * (z * z + std::log(square));
+    if (moving == 0.0) return fn::log(std::max(least, 0.5 * fn::erfc(z / root_of_two)));
+    return -0.5 * (z * z + fn::log(square));
   }
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -30,13 +31,13 @@ struct LoadAdaptation {
   void outputs() {
     felt = moving() > 0.0 ? (force[0] * velocity[0] + force[1] * velocity[1]) / speed() : 0.0;
     learned = fast + slow;
-    const double share = -std::expm1(-period / onset);
+    const double share = -fn::expm1(-period / onset);
     for (Index i = 0; i < 2; ++i) {
       const double meant =
           std::max(0.0, static_cast<double>(learned)) * velocity[i] / std::max(speed(), smoothing);
       y[i] = push[i] + share * (meant - push[i]);
     }
-    const double most_now = std::min(strength, most * limit()), far = std::hypot(y[0], y[1]);
+    const double most_now = std::min(strength, most * limit()), far = fn::hypot(y[0], y[1]);
     if (far > most_now)
       for (Index i = 0; i < 2; ++i) y[i] = y[i] * most_now / far;
   }
@@ -54,11 +55,11 @@ struct LoadAdaptation {
   static void declare(Declare<LoadAdaptation>& is);
 
  private:
-  double speed() const { return std::hypot(velocity[0], velocity[1]); }
+  double speed() const { return fn::hypot(velocity[0], velocity[1]); }
   double moving() const { return std::min(1.0, speed() / smoothing); }
   double limit() const {
     const double now = std::max(0.0, static_cast<double>(felt));
-    return now >= held ? now : now + (held - now) * std::exp(-period / reflex);
+    return now >= held ? now : now + (held - now) * fn::exp(-period / reflex);
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/base/math/sum_of_squares.hpp"
 #include "engine/model/block/block.hpp"
 
@@ -21,7 +22,7 @@ struct PathDrift {
   void outputs() { y = drift; }
 
   void update() {
-    const double share = begun != 0.0 ? -std::expm1(-gone() / path) : 0.0;
+    const double share = begun != 0.0 ? -fn::expm1(-gone() / path) : 0.0;
     drift.each([&](Index i) { return drift[i] + share * (place[i] - drift[i]); });
     last = position;
     begun = 1.0;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -62,14 +63,14 @@ struct Submovements {
     older = newer;
     older_age = age;
     const double behind[2] = {goal[0] - position[0], goal[1] - position[1]};
-    const double length = std::hypot(step[0], step[1]), kept = std::exp(-interval / hold);
+    const double length = fn::hypot(step[0], step[1]), kept = fn::exp(-interval / hold);
     const double along =
         length > 0.0 ? std::max(0.0, (behind[0] * step[0] + behind[1] * step[1]) / (length * length)) : 0.0;
     double ahead[2];
     for (Index i = 0; i < 2; ++i) ahead[i] = kept * behind[i] + ((1.0 - kept) * along + 1.0) * step[i];
     if (correction.connected())
       keep_correction({behind[0] - along * step[0], behind[1] - along * step[1]}, kept, ahead);
-    const double far = std::hypot(ahead[0], ahead[1]);
+    const double far = fn::hypot(ahead[0], ahead[1]);
     const double share = reach.connected() && far > reach ? std::max(0.0, reach / far) : 1.0;
     for (Index i = 0; i < 2; ++i) {
       const double next = position[i] + share * ahead[i];
@@ -90,10 +91,10 @@ struct Submovements {
   }
 
   void let_go() {
-    const double x = goal[0] - position[0], y = goal[1] - position[1], far = std::hypot(x, y);
+    const double x = goal[0] - position[0], y = goal[1] - position[1], far = fn::hypot(x, y);
     const double most = std::max(0.0, static_cast<double>(reach));
     if (!(far > most)) return;
-    const double lost = -std::expm1(-period / reflex) * (1.0 - most / far);
+    const double lost = -fn::expm1(-period / reflex) * (1.0 - most / far);
     goal[0] -= lost * x;
     goal[1] -= lost * y;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -36,7 +37,7 @@ struct WallSense {
 
   void outputs() {
     outside = resistance > free + just * (weber * free + threshold) ? 1.0 : 0.0;
-    side = outside != 0.0 ? std::tanh(0.5 * now()) : 0.0;
+    side = outside != 0.0 ? fn::tanh(0.5 * now()) : 0.0;
     const double far = half + std::max(0.0, (resistance - offset) / slope), blur = error() / slope;
     measured = side * far;
     precision = outside != 0.0 ? 1.0 / ((1.0 - side * side) * far * far + blur * blur) : 0.0;
@@ -52,14 +53,14 @@ struct WallSense {
   static void declare(Declare<WallSense>& is);
 
  private:
-  double error() const { return std::hypot(weber * resistance, threshold, static_cast<double>(free)); }
+  double error() const { return fn::hypot(weber * resistance, threshold, static_cast<double>(free)); }
   double moved() const { return way + rate * period; }
   double wall(double out) const { return offset + slope * std::max(0.0, out); }
 
   double as_it_began() const {
     constexpr double logistic = 1.702;
-    const double p = 0.5 + entered * (1.0 / (1.0 + std::exp(-logistic * rate / wrong)) - 0.5);
-    return limited(std::log(p / (1.0 - p)));
+    const double p = 0.5 + entered * (1.0 / (1.0 + fn::exp(-logistic * rate / wrong)) - 0.5);
+    return limited(fn::log(p / (1.0 - p)));
   }
 
   double now() const {
@@ -74,7 +75,7 @@ struct WallSense {
 
   /// Returns log Phi(z), with a lower bound for limited().
   static double log_probability(double z) {
-    return std::log(std::max(1e-12, 0.5 * std::erfc(-z * std::sqrt(0.5))));
+    return fn::log(std::max(1e-12, 0.5 * fn::erfc(-z * std::sqrt(0.5))));
   }
 
   static double limited(double odds) { return std::clamp(odds, -8.0, 8.0); }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/math/elementary.hpp"
+
 namespace stepwire {
 
 /// Coefficients of a Bouc-Wen law.
@@ -26,7 +28,7 @@ struct BoucWenLaw : BoucWenFactors {
   };
 
   /// Returns |z|^n.
-  double power(double z) const { return n == 1.0 ? std::abs(z) : std::pow(std::abs(z), n); }
+  double power(double z) const { return n == 1.0 ? std::abs(z) : fn::pow(std::abs(z), n); }
 
   /// Returns dz/dt.
   double rate(double v, double z) const {
@@ -38,12 +40,12 @@ struct BoucWenLaw : BoucWenFactors {
 
   /// Returns the law with this limit of z in a steady motion and this gamma/beta.
   static BoucWenLaw of_limit(double A, double limit, double ratio, double n) {
-    const double beta = A / std::pow(limit, n) / (1.0 + ratio);
+    const double beta = A / fn::pow(limit, n) / (1.0 + ratio);
     return {{A, beta, ratio * beta}, n};
   }
 
   /// Returns the limit of z in a steady motion; requires beta + gamma > 0.
-  double limit() const { return std::pow(A / (beta + gamma), 1.0 / n); }
+  double limit() const { return fn::pow(A / (beta + gamma), 1.0 / n); }
 
   /// Solves over a time in which the velocity changes linearly from v0 to v1. The result is exact for n = 1,
   /// else by substeps (see forward_by_steps), and stable for any travel if beta >= |gamma|. The law depends
@@ -82,7 +84,7 @@ struct BoucWenLaw : BoucWenFactors {
   /// the steady motion takes one step for any stiffness.
   Travelled forward_by_steps(double z, double dx) const {
     const double part = 1.0 / (48.0 * n), stiffest = beta + std::abs(gamma);
-    const double least = stiffest > 0.0 ? part * std::pow(A / stiffest, 1.0 / n) : dx * A;
+    const double least = stiffest > 0.0 ? part * fn::pow(A / stiffest, 1.0 / n) : dx * A;
     Travelled way{z, 0.0};
     for (double left = dx; left > 0.0;) {
       double change = std::max(least, part * std::abs(way.z));
@@ -105,7 +107,7 @@ struct BoucWenLaw : BoucWenFactors {
 
   Tangent tangent_at(double z) const {
     // the only power, which is most of the cost of a step
-    const double k = (z < 0.0 ? beta - gamma : beta + gamma) * std::pow(std::abs(z), n - 1.0);
+    const double k = (z < 0.0 ? beta - gamma : beta + gamma) * fn::pow(std::abs(z), n - 1.0);
     return {A - k * z, k * n};
   }
 
@@ -114,7 +116,7 @@ struct BoucWenLaw : BoucWenFactors {
   static double reach(const Tangent& tangent, double change) {
     const double s = std::abs(tangent.slope), j = tangent.fall;
     if (change * j >= s) return std::numeric_limits<double>::infinity();
-    return j > 0.0 ? -std::log1p(-change * j / s) / j : change / s;
+    return j > 0.0 ? -fn::log1p(-change * j / s) / j : change / s;
   }
 
   Travelled rosenbrock(double z, const Tangent& tangent, double h) const {
@@ -129,7 +131,7 @@ struct BoucWenLaw : BoucWenFactors {
 
   double distance_to_zero(double z) const {
     const double k = beta - gamma;
-    return k == 0.0 ? -z / A : std::log1p(-z * k / A) / k;
+    return k == 0.0 ? -z / A : fn::log1p(-z * k / A) / k;
   }
 
   /// Solves dz/dx = A - k z. The loss, the integral of k z^2, is the work A z minus the gain of z^2/2.
@@ -142,7 +144,7 @@ struct BoucWenLaw : BoucWenFactors {
   }
 
   /// Returns (1 - exp(-s)) / s.
-  static double mean_of_decay(double s) { return s == 0.0 ? 1.0 : -std::expm1(-s) / s; }
+  static double mean_of_decay(double s) { return s == 0.0 ? 1.0 : -fn::expm1(-s) / s; }
 
   /// Returns (1 - (1 - exp(-s)) / s) / s; by its series near zero, where the difference would cancel.
   static double mean_of_rise(double s, double decay) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -22,7 +23,7 @@ struct Dahl {
     force.derivative.each([&](Index i) {
       const double v = velocity[i], side = v > 0.0 ? 1.0 : -1.0;
       const double left = 1.0 - side * force[i] / coulomb[i];
-      return stiffness[i] * v * (shape[i] == 1.0 ? left : std::pow(std::max(left, 0.0), shape[i]));
+      return stiffness[i] * v * (shape[i] == 1.0 ? left : fn::pow(std::max(left, 0.0), shape[i]));
     });
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -24,7 +25,7 @@ struct DryFriction {
   /// Returns the dry friction [N] of a body in motion.
   double sliding(Index i) const {
     const double v = velocity[i], more = highest(i) - coulomb[i];
-    const double part = stribeck[i] > 0.0 ? std::exp(-(v / stribeck[i]) * (v / stribeck[i])) : 0.0;
+    const double part = stribeck[i] > 0.0 ? fn::exp(-(v / stribeck[i]) * (v / stribeck[i])) : 0.0;
     return coulomb[i] + more * part;
   }
   double sliding_force(Index i, double now) const { return -now * sliding(i) - viscous[i] * velocity[i]; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -29,7 +30,7 @@ struct LuGre {
   double rate(Index i) const {
     const double v = velocity[i], part = v / stribeck[i];
     const double level =
-        coulomb[i] + (std::max(breakaway[i], coulomb[i]) - coulomb[i]) * std::exp(-part * part);
+        coulomb[i] + (std::max(breakaway[i], coulomb[i]) - coulomb[i]) * fn::exp(-part * part);
     return v - stiffness[i] * std::abs(v) / level * z[i];
   }
 };

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "blocks/records/fourier.hpp"
+#include "engine/base/math/elementary.hpp"
 
 namespace stepwire {
 
@@ -18,7 +19,8 @@ Spectrum later(const Spectrum& spectrum, double part) {
   for (std::size_t k = 1; k < n; ++k) {
     const double line = 2 * k < n ? static_cast<double>(k) : -static_cast<double>(n - k);
     const double angle = 2.0 * std::numbers::pi * line * part / static_cast<double>(n);
-    result[k] *= 2 * k == n ? std::complex<double>(std::cos(angle)) : std::polar(1.0, angle);
+    result[k] *= 2 * k == n ? std::complex<double>(fn::cos(angle))
+                            : std::complex<double>(fn::cos(angle), fn::sin(angle));
   }
   return result;
 }

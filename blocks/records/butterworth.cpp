@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/math/elementary.hpp"
+
 namespace stepwire {
 
 namespace {
@@ -42,10 +44,10 @@ std::vector<double> extended(const std::vector<double>& rows, std::size_t count)
 }  // namespace
 
 std::vector<FilterSection> butterworth(int order, double cutoff) {
-  const double k = std::tan(std::numbers::pi * cutoff);
+  const double k = fn::tan(std::numbers::pi * cutoff);
   std::vector<FilterSection> sections;
   for (int i = 0; i < order / 2; ++i)
-    sections.push_back(pair_section(std::sin(std::numbers::pi * (2 * i + 1) / (2 * order)), k));
+    sections.push_back(pair_section(fn::sin(std::numbers::pi * (2 * i + 1) / (2 * order)), k));
   if (order % 2 == 1) sections.push_back(single_section(k));
   return sections;
 }

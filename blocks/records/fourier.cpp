@@ -3,6 +3,8 @@
 #include <bit>
 #include <numbers>
 
+#include "engine/base/math/elementary.hpp"
+
 namespace stepwire {
 
 namespace {
@@ -12,7 +14,8 @@ using Series = std::vector<Complex>;
 
 /// Returns exp(-2 pi i turns / of).
 Complex unit_root(std::size_t turns, std::size_t of) {
-  return std::polar(1.0, -2.0 * std::numbers::pi * static_cast<double>(turns) / static_cast<double>(of));
+  const double angle = -2.0 * std::numbers::pi * static_cast<double>(turns) / static_cast<double>(of);
+  return {fn::cos(angle), fn::sin(angle)};
 }
 
 /// Permutes the elements by reversing the bits of their index.

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "blocks/sources/own_time.hpp"
+#include "engine/base/math/elementary.hpp"
 #include "engine/base/math/instant.hpp"
 
 namespace stepwire {
@@ -19,7 +20,7 @@ struct Chirp : OwnTime {
   Sweep sweep = Sweep::linear;
   Output<1> y{};
 
-  void outputs() { y = amplitude * std::sin(2.0 * std::numbers::pi * cycles(own()) + phase) + bias; }
+  void outputs() { y = amplitude * fn::sin(2.0 * std::numbers::pi * cycles(own()) + phase) + bias; }
 
   /// Returns the time from which on the frequency is constant.
   double next_edge() const { return first_ahead(t, began() + target_time); }
@@ -38,7 +39,7 @@ struct Chirp : OwnTime {
   double moved(double time) const {
     const double ratio = target_frequency / frequency;
     if (sweep == Sweep::exponential && ratio != 1.0)
-      return frequency * target_time / std::log(ratio) * std::expm1(std::log(ratio) * time / target_time);
+      return frequency * target_time / fn::log(ratio) * fn::expm1(fn::log(ratio) * time / target_time);
     return time * (frequency + 0.5 * (target_frequency - frequency) * time / target_time);
   }
 };

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "blocks/sources/own_time.hpp"
+#include "engine/base/math/elementary.hpp"
 
 namespace stepwire {
 
@@ -23,7 +24,7 @@ struct Multisine : OwnTime {
   void outputs() {
     const double time = own();
     double sum = 0.0;
-    for (Index k = 0; k < omega.size(); ++k) sum += a[k] * std::cos(omega[k] * time + phi[k]);
+    for (Index k = 0; k < omega.size(); ++k) sum += a[k] * fn::cos(omega[k] * time + phi[k]);
     y = sum;
   }
 

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "blocks/sources/own_time.hpp"
+#include "engine/base/math/elementary.hpp"
 
 namespace stepwire {
 
@@ -20,7 +21,7 @@ struct Sine : OwnTime {
   void configure(Configure& is);
   void outputs() {
     const double time = own();
-    y.each([&](Index k) { return amplitude[k] * std::sin(omega[k] * time + phase[k]) + bias[k]; });
+    y.each([&](Index k) { return amplitude[k] * fn::sin(omega[k] * time + phase[k]) + bias[k]; });
   }
 
   static void declare(Declare<Sine>& is);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "blocks/sources/own_time.hpp"
+#include "engine/base/math/elementary.hpp"
 #include "engine/base/math/instant.hpp"
 #include "engine/base/math/sum_of_squares.hpp"
 
@@ -27,9 +28,9 @@ struct StraightMotion : OwnTime {
   void outputs() {
     const double begin = began() + start_, since = std::max(t - begin, 0.0);
     distance = speed * (since < rise ? rising(since) : since - 0.5 * rise);
-    const double v = t < begin ? 0.0 : since < rise ? 0.5 * speed * (1.0 - std::cos(angle(since))) : speed;
-    const double a = since < rise ? 0.5 * speed * std::numbers::pi / rise * std::sin(angle(since)) : 0.0;
-    const Turn by = turn.connected() ? Turn{std::cos(turn), std::sin(turn)} : Turn{};
+    const double v = t < begin ? 0.0 : since < rise ? 0.5 * speed * (1.0 - fn::cos(angle(since))) : speed;
+    const double a = since < rise ? 0.5 * speed * std::numbers::pi / rise * fn::sin(angle(since)) : 0.0;
+    const Turn by = turn.connected() ? Turn{fn::cos(turn), fn::sin(turn)} : Turn{};
     position.each([&](Index i) { return from[i] + distance * turned(i, by); });
     velocity.each([&](Index i) { return v * turned(i, by); });
     acceleration.each([&](Index i) { return a * turned(i, by); });
@@ -60,7 +61,7 @@ struct StraightMotion : OwnTime {
   double angle(double since) const { return std::numbers::pi * since / rise; }
   /// Returns the distance at unit speed during the rise.
   double rising(double since) const {
-    return 0.5 * (since - rise / std::numbers::pi * std::sin(angle(since)));
+    return 0.5 * (since - rise / std::numbers::pi * fn::sin(angle(since)));
   }
 };
 

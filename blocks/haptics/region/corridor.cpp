@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "blocks/haptics/region/plane_shape.hpp"
+#include "engine/base/math/elementary.hpp"
 
 namespace stepwire {
 
@@ -100,7 +101,7 @@ void add_joint(Vector2 knot, const std::vector<Vector2>& directions, double half
   for (const Vector2 along : directions)
     for (const double side : {1.0, -1.0}) {
       const Vector2 normal = side * turned_left(along);
-      angles.push_back(std::atan2(normal.y, normal.x));
+      angles.push_back(fn::atan2(normal.y, normal.x));
     }
   std::sort(angles.begin(), angles.end());
   for (std::size_t i = 0; i < angles.size(); ++i) {

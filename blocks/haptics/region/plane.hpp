@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
+
 namespace stepwire {
 
 /// Point or direction in the plane [m].
@@ -27,14 +29,14 @@ inline double cross(Vector2 a, Vector2 b) {
 }
 inline double length(Vector2 a) {
   const double square = dot(a, a);
-  return square > 0x1p-900 && square < 0x1p1000 ? std::sqrt(square) : std::hypot(a.x, a.y);
+  return square > 0x1p-900 && square < 0x1p1000 ? std::sqrt(square) : fn::hypot(a.x, a.y);
 }
 inline Vector2 turned_left(Vector2 a) {
   return {-a.y, a.x};
 }
 /// Returns the direction at this angle from the x-axis.
 inline Vector2 direction_at(double angle) {
-  return {std::cos(angle), std::sin(angle)};
+  return {fn::cos(angle), fn::sin(angle)};
 }
 
 }  // namespace stepwire

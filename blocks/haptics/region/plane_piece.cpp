@@ -4,6 +4,8 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/base/math/elementary.hpp"
+
 namespace stepwire {
 
 namespace {
@@ -81,8 +83,8 @@ PlanePiece arc_through(Vector2 a, Vector2 b, Vector2 c) {
   const Vector2 centre = a + to_centre;
   const bool left = twice_area < 0.0;  // b is to the right of the chord: the arc turns left
   const Vector2 first = left ? a - centre : c - centre, last = left ? c - centre : a - centre;
-  const double from = std::atan2(first.y, first.x);
-  const double extent = positive(std::atan2(cross(first, last), dot(first, last)));
+  const double from = fn::atan2(first.y, first.x);
+  const double extent = positive(fn::atan2(cross(first, last), dot(first, last)));
   return arc_about(centre, length(to_centre), from, extent).with_side(left ? 1.0 : -1.0);
 }
 
@@ -135,7 +137,7 @@ class Places {
  private:
   double on_arc(Vector2 point) const {
     const Vector2 arm = point - piece_.centre;
-    double angle = positive(std::atan2(arm.y, arm.x) - piece_.from);
+    double angle = positive(fn::atan2(arm.y, arm.x) - piece_.from);
     if (angle > piece_.extent + 0.5 * (turn - piece_.extent)) angle -= turn;  // just before its start
     return piece_.radius * angle;
   }

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "engine/base/math/elementary.hpp"
+
 namespace stepwire {
 
 namespace {
@@ -19,7 +21,7 @@ void append_numbers(const PlanePiece& piece, std::vector<double>& numbers) {
   }
   const Vector2 middle = direction_at(piece.from + 0.5 * piece.extent);
   numbers.insert(numbers.end(), {piece.side * piece.radius, piece.centre.x, piece.centre.y, middle.x,
-                                 middle.y, std::cos(0.5 * piece.extent), std::sin(0.5 * piece.extent)});
+                                 middle.y, fn::cos(0.5 * piece.extent), fn::sin(0.5 * piece.extent)});
 }
 
 PlaneBox no_box() {
@@ -62,7 +64,7 @@ double farthest(const PlanePiece& line, const PlanePiece& piece) {
   if (piece.is_line()) return at_ends;
   const double about_centre = distance_to(line, piece.centre) + piece.radius;
   if (piece.extent > std::numbers::pi) return about_centre;
-  return std::min(about_centre, at_ends + piece.radius * (1.0 - std::cos(0.5 * piece.extent)));
+  return std::min(about_centre, at_ends + piece.radius * (1.0 - fn::cos(0.5 * piece.extent)));
 }
 
 void append_sleeve(const PlaneShape& shape, std::size_t first, std::size_t last,

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
+
 namespace stepwire {
 
 /// Point or direction in space [m].
@@ -23,7 +25,7 @@ inline double dot(Vector3 a, Vector3 b) {
 }
 inline double length(Vector3 a) {
   const double square = dot(a, a);
-  return square > 0x1p-900 && square < 0x1p1000 ? std::sqrt(square) : std::hypot(a.x, a.y, a.z);
+  return square > 0x1p-900 && square < 0x1p1000 ? std::sqrt(square) : fn::hypot(a.x, a.y, a.z);
 }
 /// Returns a unit vector perpendicular to a, always the same one.
 inline Vector3 beside(Vector3 a) {

@@ -1,5 +1,6 @@
 #include "engine/app/fmu/unit_export.hpp"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -93,7 +94,7 @@ std::string build_description(const UnitAbout& about, const std::vector<std::str
   return xml_text(root);
 }
 
-/// Format of CMakeLists.txt. Arguments: identifier, source, folders, flags, linker script.
+/// Format of CMakeLists.txt. Arguments: identifier, source, folders, flags, linker script, search for SLEEF.
 constexpr char cmake_form[] =
     "# Builds the binary of this unit for another platform: cmake -S sources -B build && cmake --build "
     "build\n"
@@ -104,13 +105,14 @@ constexpr char cmake_form[] =
     "if(TARGET Eigen3::Eigen)\n  target_link_libraries({0} PRIVATE Eigen3::Eigen)\nendif()\n"
     "target_compile_options({0} PRIVATE {3})\n"
     "if(UNIX AND NOT APPLE)\n  target_link_options({0} PRIVATE "
-    "-Wl,--version-script=${{CMAKE_CURRENT_SOURCE_DIR}}/{4})\nendif()\n";
+    "-Wl,--version-script=${{CMAKE_CURRENT_SOURCE_DIR}}/{4})\nendif()\n{5}";
 
 std::string cmake_text(const UnitAbout& about, const std::vector<std::string>& folders) {
   std::string more;
   for (const std::string& folder : folders) more += " \"${CMAKE_CURRENT_SOURCE_DIR}/" + folder + "\"";
   return fmt::format(cmake_form, about.identifier, about.source, more,
-                     fmt::join(codegen::Compiler::flags(), " "), map_file);
+                     fmt::join(codegen::Compiler::flags(), " "), map_file,
+                     codegen::elementary_search(about.identifier));
 }
 
 /// Returns the path of a header in the unit. Headers of the engine keep the path of their #include.
@@ -149,7 +151,8 @@ Files unit_sources(const plan::Plan& plan, const codegen::Tuning& tuning, const 
 /// sources, `header_folders` the headers of third parties in it.
 std::vector<std::string> unit_flags(const std::string& folder,
                                     const std::vector<std::string>& header_folders) {
-  std::vector<std::string> flags{"-I", folder, "-Wl,--version-script=" + folder + "/" + map_file};
+  std::vector<std::string> flags{"-I", folder, "-Wl,--version-script=" + folder + "/" + map_file,
+                                 "-DSTEPWIRE_SLEEF", "-Wl,-rpath,$ORIGIN"};
   for (const std::string& of_others : header_folders)
     flags.insert(flags.end(), {"-I", folder + "/" + of_others});
   return flags;
@@ -286,6 +289,16 @@ std::string compiled(const Files& sources, const plan::Plan& plan, const UnitAbo
   return io::read_file(library);
 }
 
+/// Adds the library of elementary functions beside a binary that needs it, so that no host must have it.
+void add_elementary_functions(Files& files, const std::string& folder, const std::string& binary) {
+  const std::string needed = codegen::Compiler::elementary_functions;
+  if (files.at(binary).find(needed) == std::string::npos) return;
+  Dl_info info{};
+  const void* function = ::dlsym(RTLD_DEFAULT, "Sleef_cinz_sind1_u10purec");
+  if (!function || ::dladdr(function, &info) == 0) throw io::EnvironmentError(needed + " cannot be found");
+  files[folder + needed] = io::read_file(info.dli_fname);
+}
+
 std::string icon_description() {
   Element root{"fmiTerminalsAndIcons"};
   root.set("fmiVersion", "3.0");
@@ -328,8 +341,9 @@ UnitExport export_unit(const plan::Plan& plan, const codegen::Tuning& tuning, co
                          description_text(about, variables));
   const Files sources = unit_sources(plan, tuning, about, variables, made.no_exchange);
   made.files["modelDescription.xml"] = description_text(about, variables);
-  made.files[fmi::binary_folder(options.version) + about.identifier + ".so"] =
-      compiled(sources, plan, about, options, compiler);
+  const std::string folder = fmi::binary_folder(options.version), binary = folder + about.identifier + ".so";
+  made.files[binary] = compiled(sources, plan, about, options, compiler);
+  add_elementary_functions(made.files, folder, binary);
   for (const auto& [path, text] : sources) made.files["sources/" + path] = text;
   made.files["documentation/index.html"] =
       unit_page(about, variables, tuning.fixed, made.no_exchange, !options.drawing.empty());

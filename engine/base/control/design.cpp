@@ -14,6 +14,7 @@
 
 #include "engine/base/control/control_fault.hpp"
 #include "engine/base/control/riccati.hpp"
+#include "engine/base/math/elementary.hpp"
 #include "engine/base/text/count.hpp"
 
 namespace stepwire::control {
@@ -134,7 +135,7 @@ class Placement {
     if (poles_[static_cast<std::size_t>(j)].imag() < 0.0) return;
     Eigen::VectorXcd mix(kernel(j).cols());
     for (Eigen::Index k = 0; k < mix.size(); ++k)
-      mix[k] = std::cos(1.0 + 2.0 * static_cast<double>(j * mix.size() + k));
+      mix[k] = fn::cos(1.0 + 2.0 * static_cast<double>(j * mix.size() + k));
     Eigen::VectorXcd x = kernel(j) * mix;
     if (poles_[static_cast<std::size_t>(j)].imag() == 0.0) x = x.real().eval().cast<Complex>();
     set(j, x.normalized());

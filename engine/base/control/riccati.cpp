@@ -8,6 +8,7 @@
 #include <complex>
 
 #include "engine/base/control/control_fault.hpp"
+#include "engine/base/math/elementary.hpp"
 
 namespace stepwire::control {
 
@@ -43,7 +44,7 @@ double log_determinant(const Eigen::PartialPivLU<Matrix>& lu) {
 Matrix matrix_sign(Matrix Z) {
   for (int k = 0; k < most_iterations; ++k) {
     const Eigen::PartialPivLU<Matrix> lu(Z);
-    const double scale = std::exp(-log_determinant(lu) / static_cast<double>(Z.rows()));
+    const double scale = fn::exp(-log_determinant(lu) / static_cast<double>(Z.rows()));
     if (!std::isfinite(scale) || scale == 0.0) give_up();
     const bool is_near = k > 0 && std::abs(scale - 1.0) < 1e-2;
     const double by = is_near ? 1.0 : scale;

@@ -23,8 +23,15 @@ struct CppPiece {
   bool truth = false;  ///< a bool, which must not enter arithmetic: C++ would divide whole numbers
 };
 
-/// Functions of language.hpp that formulas can call; all others are in <cmath>.
-constexpr std::array<std::string_view, 6> own_functions{"sign", "mod", "min", "max", "uniform", "lognormal"};
+/// Namespaces of the functions that formulas can call: language.hpp, <cmath> for exact results,
+/// elementary.hpp.
+std::string_view space_of(std::string_view function) {
+  constexpr std::array<std::string_view, 7> own{"sign",    "mod",    "min",      "max",
+                                                "uniform", "normal", "lognormal"};
+  constexpr std::array<std::string_view, 5> exact{"sqrt", "abs", "floor", "ceil", "round"};
+  if (std::ranges::find(own, function) != own.end()) return "language";
+  return std::ranges::find(exact, function) != exact.end() ? "std" : "fn";
+}
 
 /// Returns the text, parenthesised where it binds weaker than `least`.
 std::string in(Binding least, const CppPiece& piece) {
@@ -68,8 +75,7 @@ CppPiece call(std::string_view function, const std::vector<CppPiece>& values) {
   std::string list;
   for (const CppPiece& value : values) list += (list.empty() ? "" : ", ") + number(value).text;
   if (function == "min" || function == "max") list = "{" + list + "}";
-  const bool own = std::find(own_functions.begin(), own_functions.end(), function) != own_functions.end();
-  return {fmt::format("{}::{}({})", own ? "language" : "std", function, list)};
+  return {fmt::format("{}::{}({})", space_of(function), function, list)};
 }
 
 CppPiece choice(const CppPiece& condition, const CppPiece& a, const CppPiece& b) {

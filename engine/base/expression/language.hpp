@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/base/math/normal_quantile.hpp"
 
 /// Functions of the expression language that the standard library lacks, for the interpreter and generated
@@ -77,7 +78,7 @@ inline double normal(double seed, double stream) {
 /// Deterministic log-normal factor (median 1) for variation between persons. `variation` is the coefficient
 /// of variation: standard deviation over mean, over all seeds.
 inline double lognormal(double seed, double stream, double variation) {
-  return std::exp(std::sqrt(std::log1p(variation * variation)) * normal(seed, stream));
+  return fn::exp(std::sqrt(fn::log1p(variation * variation)) * normal(seed, stream));
 }
 
 }  // namespace stepwire::language

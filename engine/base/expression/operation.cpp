@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/base/expression/language.hpp"
+#include "engine/base/math/elementary.hpp"
 
 namespace stepwire::expression {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 constexpr int any_number = std::numeric_limits<int>::max();
 
 struct Power {
-  double operator()(double a, double b) const { return std::pow(a, b); }
+  double operator()(double a, double b) const { return fn::pow(a, b); }
 };
 
 template <class Of>
@@ -50,29 +51,29 @@ double lognormal(const double* v, int) {
   return language::lognormal(v[0], v[1], v[2]);
 }
 
-constexpr std::array functions{one<std::sin>("sin"),
-                               one<std::cos>("cos"),
-                               one<std::tan>("tan"),
-                               one<std::asin>("asin"),
-                               one<std::acos>("acos"),
-                               one<std::atan>("atan"),
-                               one<std::sinh>("sinh"),
-                               one<std::cosh>("cosh"),
-                               one<std::tanh>("tanh"),
-                               one<std::exp>("exp"),
-                               one<std::log>("log"),
-                               one<std::log2>("log2"),
-                               one<std::log10>("log10"),
+constexpr std::array functions{one<fn::sin>("sin"),
+                               one<fn::cos>("cos"),
+                               one<fn::tan>("tan"),
+                               one<fn::asin>("asin"),
+                               one<fn::acos>("acos"),
+                               one<fn::atan>("atan"),
+                               one<fn::sinh>("sinh"),
+                               one<fn::cosh>("cosh"),
+                               one<fn::tanh>("tanh"),
+                               one<fn::exp>("exp"),
+                               one<fn::log>("log"),
+                               one<fn::log2>("log2"),
+                               one<fn::log10>("log10"),
                                one<std::sqrt>("sqrt"),
-                               one<std::cbrt>("cbrt"),
+                               one<fn::cbrt>("cbrt"),
                                one<std::fabs>("abs"),
                                one<language::sign>("sign"),
                                one<std::floor>("floor"),
                                one<std::ceil>("ceil"),
                                one<std::round>("round"),
-                               two<std::atan2>("atan2"),
+                               two<fn::atan2>("atan2"),
                                two<language::mod>("mod"),
-                               two<std::hypot>("hypot"),
+                               two<fn::hypot>("hypot"),
                                two<language::uniform>("uniform"),
                                two<language::normal>("normal"),
                                Operation{"min", Binding::atom, 2, any_number, language::smallest},

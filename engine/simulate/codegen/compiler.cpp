@@ -83,7 +83,8 @@ std::string Compiler::compile(const std::string& source, const std::string& libr
   command.insert(command.end(), {"-I", io::resource("headers"), "-I", io::resource("public")});
   if (const std::string eigen = io::find_resource("eigen"); !eigen.empty())
     command.insert(command.end(), {"-isystem", eigen});
-  command.insert(command.end(), {"-shared", "-o", library, source});
+  command.insert(command.end(), {"-shared", "-o", library, source, "-Wl,--as-needed",
+                                 std::string("-l:") + elementary_functions});
   return problem_of({.command = command, .stop = stop, .limit = subprocess::compiler_limit()});
 }
 

@@ -28,6 +28,9 @@ class Compiler {
   /// arguments of a block's loops before they are inlined, and then calls remain: W1 takes 2.3 times as long.
   static constexpr const char* gcc_flags[] = {"-fno-tree-pta", "-fno-tree-slp-vectorize", "-fno-ipa-sra"};
 
+  /// Library of the functions of elementary.hpp. The program needs it, too, so that it is on each machine.
+  static constexpr const char* elementary_functions = "libsleef.so.3";
+
   /// Flag that enables all instructions of this machine's processor.
   static constexpr const char* native = "-march=native";
 

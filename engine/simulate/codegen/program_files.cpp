@@ -354,6 +354,12 @@ constexpr char eigen_check[] =
     "Debian\n"
     "#error package libeigen3-dev\n"
     "#endif\n\n";
+/// Choice of the elementary functions, at the head of the source.
+constexpr char elementary_choice[] =
+    "// Functions such as sin: with -DSTEPWIRE_SLEEF and -lsleef those of SLEEF, which give the bits of "
+    "`stepwire "
+    "run` on\n// every processor; otherwise those of the C library, whose last digits may differ.\n"
+    "#ifndef STEPWIRE_SLEEF\n#define STEPWIRE_LIBM\n#endif\n\n";
 constexpr char eigen_search[] =
     "# Solver or blocks need the headers of Eigen.\n"
     "find_package(Eigen3 QUIET NO_MODULE)\n"
@@ -429,7 +435,7 @@ constexpr char cmake_form[] =
     "target_compile_options({0} PRIVATE{2})\n"
     "if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)  # passes that cost time or speed here\n"
     "  target_compile_options({0} PRIVATE {8})\n"
-    "endif()\n{5}\n"
+    "endif()\n{5}{9}\n"
     "# The program that writes what the diagram records; in another project built on demand only.\n"
     "add_executable({0}_main {3})\n"
     "target_link_libraries({0}_main PRIVATE {0})\n"
@@ -451,7 +457,8 @@ std::string cmake_text(const ProgramNames& names, const std::vector<std::string>
       cmake_form, names.space, names.stem, flags, names.main,
       uses_eigen ? fmt::format(eigen_search, names.space) : "",
       uses_eigen ? fmt::format("target_link_libraries({} PRIVATE Eigen3::Eigen)\n", names.space) : "",
-      c_interface ? " " + names.c_source : "", more, fmt::join(Compiler::gcc_flags, " "));
+      c_interface ? " " + names.c_source : "", more, fmt::join(Compiler::gcc_flags, " "),
+      elementary_search(names.space));
 }
 
 /// Returns the size of the longest list that a block receives again as parameters change. Lists up to this
@@ -481,6 +488,7 @@ std::string source_text(const GeneratedProgram& program, const ProgramNames& nam
         "#define STEPWIRE_LONGEST_LIST {}\n",
         *longest);
   if (needs_eigen(headers.files())) text += eigen_check;
+  text += elementary_choice;
   text += fmt::format(
       "#include <bit>\n#include <cmath>\n#include <cstring>\n#include <limits>\n\n"
       "// Blocks of another version may be linked beside these.\n#define stepwire stepwire_of_{}\n",
@@ -506,6 +514,17 @@ ProgramNames::ProgramNames(const std::string& name)
       main(stem + "-main.cpp"),
       c_header(stem + "-c.h"),
       c_source(stem + "-c.cpp") {}
+
+std::string elementary_search(const std::string& target) {
+  return fmt::format(
+      "# Functions such as sin: those of SLEEF give the bits of `stepwire run` on every processor, those of "
+      "the C\n"
+      "# library may differ in the last digits. On Debian the package libsleef-dev has SLEEF.\n"
+      "if(NOT CMAKE_CROSSCOMPILING)\n  find_library(STEPWIRE_SLEEF NAMES sleef)\nendif()\n"
+      "if(STEPWIRE_SLEEF)\n  target_compile_definitions({0} PRIVATE STEPWIRE_SLEEF)\n"
+      "  target_link_libraries({0} PRIVATE ${{STEPWIRE_SLEEF}})\nendif()\n",
+      target);
+}
 
 std::map<std::string, std::string> program_files(const plan::Plan& plan, const Tuning& tuning,
                                                  const ProgramOptions& options) {

@@ -37,6 +37,10 @@ std::map<std::string, std::string> program_files(const plan::Plan& plan, const T
 /// True if some of these files include headers of Eigen, which a program does not contain.
 bool needs_eigen(const std::map<std::string, std::string>& files);
 
+/// Returns the lines of a CMakeLists.txt that give the target SLEEF's elementary functions where the host has
+/// them.
+std::string elementary_search(const std::string& target);
+
 /// Returns the include folders of those files for foreign headers, without those of the program and
 /// stepwire/.
 std::vector<std::string> header_folders(const plan::Plan& plan);

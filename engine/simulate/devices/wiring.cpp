@@ -8,6 +8,7 @@
 #include <set>
 
 #include "engine/base/io/environment_error.hpp"
+#include "engine/base/math/elementary.hpp"
 
 namespace stepwire::devices {
 
@@ -172,7 +173,7 @@ class Wirer {
         scale * static_cast<double>(unit->scale),
         scale * static_cast<double>(unit->offset) + si(one.offset, 0.0, dimension, subject + ".offset")};
     const double filter =
-        one.filter > 0.0 ? 1.0 - std::exp(-2.0 * std::numbers::pi * one.filter * period_) : 1.0;
+        one.filter > 0.0 ? 1.0 - fn::exp(-2.0 * std::numbers::pi * one.filter * period_) : 1.0;
     const auto of_scale = one.scale ? one.scale->quantity.dimension : std::nullopt;
     const Dimension shown = dimension.value_or(of_scale.value_or(Dimension{}) * unit->dimension);
     all_.inputs.push_back({*port, place->index, line.scale, line.offset, filter, unit_name(shown)});

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/simulate/run/faults.hpp"
 #include "engine/simulate/solve/error_control.hpp"
 #include "engine/simulate/solve/step_report.hpp"
@@ -15,7 +16,7 @@ namespace {
 /// Rounds down to two digits.
 double rounded_down(double value) {
   if (!(value > 0.0)) return 0.0;
-  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  const double digit = fn::pow(10.0, std::floor(fn::log10(value)) - 1.0);
   return digit * std::floor(value / digit * (1.0 + 1e-6));
 }
 

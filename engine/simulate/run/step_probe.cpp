@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/base/math/elementary.hpp"
+
 namespace stepwire::run {
 
 namespace {
@@ -34,13 +36,15 @@ double stability(const solve::Tableau& tableau, Complex z) {
 double growth_in_all(const plan::Plan& plan) {
   if (plan.layout.state_count > most_for_slow_growth) return 1.1;
   const auto steps = static_cast<double>(std::max<std::int64_t>(plan.steps, 1));
-  return std::clamp(std::pow(2.0, 1.0 / steps), 1.0 + 1e-9, 1.1);
+  return std::clamp(fn::pow(2.0, 1.0 / steps), 1.0 + 1e-9, 1.1);
 }
 
 /// Returns a modulus of z in the left half plane below which the method amplifies nothing by `growth`.
 double rate_of_growth(const solve::Tableau& tableau, double growth) {
   double modulus = 8.0;
-  const auto grows = [&](double angle) { return stability(tableau, std::polar(modulus, angle)) > growth; };
+  const auto grows = [&](double angle) {
+    return stability(tableau, Complex{modulus * fn::cos(angle), modulus * fn::sin(angle)}) > growth;
+  };
   for (; modulus > 1e-9; modulus *= 0.5) {
     bool any = false;
     for (int k = 0; k <= 12 && !any; ++k) any = grows(std::numbers::pi * (0.5 + k / 24.0));
@@ -169,12 +173,12 @@ class StepProbe {
   bool grows(const Mode& mode) {
     states_ = start_;
     const double h = plan_.diagram.step;
-    const double steps = std::clamp(std::ceil(std::log(20.0) / std::log(mode.growth)), 1.0, 2000.0);
+    const double steps = std::clamp(std::ceil(fn::log(20.0) / fn::log(mode.growth)), 1.0, 2000.0);
     for (double k = 0.0; k < steps; ++k) step(time_ + k * h, h);
     find_slopes(time_ + steps * h);
     const Eigen::Map<const Eigen::VectorXd> slopes(values_ + plan_.layout.derivatives, states_.size());
     const Complex part = mode.left * slopes.cast<Complex>();
-    return !(std::abs(part) <= std::pow(mode.growth, 0.5 * steps) * std::abs(mode.part));
+    return !(std::abs(part) <= fn::pow(mode.growth, 0.5 * steps) * std::abs(mode.part));
   }
 
   /// Returns the longest step [s] at which the method does not amplify a mode; 0 if there is no such step.

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/simulate/solve/step_report.hpp"
 
 namespace stepwire::solve {
@@ -146,7 +147,7 @@ class Controlled {
     numbers[ControlReport::largest] = std::max(numbers[ControlReport::largest], error);
     const double beta = 0.04, last = before > 0.0 ? before : 1e-4;
     const double factor =
-        0.9 * std::pow(std::max(error, 1e-10), -(1.0 / method_.order() - 0.75 * beta)) * std::pow(last, beta);
+        0.9 * fn::pow(std::max(error, 1e-10), -(1.0 / method_.order() - 0.75 * beta)) * fn::pow(last, beta);
     before = std::max(error, 1e-4);
     const double clamped = std::clamp(factor, 0.2, std::exchange(rejected_, false) ? 1.0 : 5.0);
     if constexpr (requires { method_.keeps_step(); })
@@ -157,7 +158,7 @@ class Controlled {
   double reject(double error, double* numbers) {
     numbers[ControlReport::rejected] += 1.0;
     rejected_ = true;
-    return std::isfinite(error) ? std::max(0.2, 0.9 * std::pow(error, -1.0 / method_.order())) : 0.2;
+    return std::isfinite(error) ? std::max(0.2, 0.9 * fn::pow(error, -1.0 / method_.order())) : 0.2;
   }
 
   /// Sets the time, the states and the derivative for the next attempt: at the end of an accepted step, else
@@ -195,7 +196,7 @@ class Controlled {
     *now = at;
     const double most = std::max(speed, change);
     const double other =
-        most > 1e-15 ? std::pow(0.01 / most, 1.0 / method_.first_order) : std::max(1e-6, 1e-3 * guess);
+        most > 1e-15 ? fn::pow(0.01 / most, 1.0 / method_.first_order) : std::max(1e-6, 1e-3 * guess);
     return std::min({100.0 * guess, other, length});
   }
 

@@ -7,6 +7,7 @@
 #include <complex>
 #include <limits>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/simulate/solve/error_control.hpp"
 #include "engine/simulate/solve/forward_differences.hpp"
 
@@ -40,9 +41,9 @@ class Radau {
     control_ = control;
     // The estimate has order 3 and the method order 5: the smaller the tolerance, the more the estimate
     // exceeds the error. The powers are fitted to the problems of bench/solvers.
-    scale_ = std::min(1.0, 3.0 * std::pow(control.relative, 0.24));
+    scale_ = std::min(1.0, 3.0 * fn::pow(control.relative, 0.24));
     const double relative = control.relative / scale_;
-    goal_ = std::max(10.0 * epsilon / relative, std::min(0.03, std::pow(relative, 0.43)));
+    goal_ = std::max(10.0 * epsilon / relative, std::min(0.03, fn::pow(relative, 0.43)));
     is_here_ = is_good_ = has_past_ = is_solved_ = false;
     factored_step_ = rate_ = 0.0;
     tried_ = std::numeric_limits<double>::quiet_NaN();
@@ -178,7 +179,7 @@ class Radau {
       if (rate_ >= 0.99) return false;
       const double left = k > 0 ? rate_ / (1.0 - rate_) : 1.0;
       if (left * size <= goal_) return true;
-      if (left * size * std::pow(rate_, max_corrections - 2 - k) > goal_ && k > 0) return false;
+      if (left * size * fn::pow(rate_, max_corrections - 2 - k) > goal_ && k > 0) return false;
       before = size;
     }
     return false;

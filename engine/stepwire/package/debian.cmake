@@ -42,7 +42,7 @@ runs the package libstepwire-dev.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libstepwire-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "g++, libeigen3-dev, libfmt-dev, libyaml-cpp-dev, libudunits2-dev, libxxhash-dev, libmd-dev, libhdf5-dev, zlib1g-dev, libzip-dev, libpugixml-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "g++, libeigen3-dev, libfmt-dev, libyaml-cpp-dev, libudunits2-dev, libsleef-dev, libxxhash-dev, libmd-dev, libhdf5-dev, zlib1g-dev, libzip-dev, libpugixml-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "cmake, ninja-build")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "block diagrams in text: library and headers
 Archives, headers and CMake files for programs that run diagrams or have

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
+#include <tuple>
 
 #include "engine/base/io/file.hpp"
 #include "engine/base/subprocess/process.hpp"
@@ -25,6 +28,37 @@ TEST_CASE("the loops over a block's elements are part of the step in compiled co
   const auto symbols = subprocess::run_process({.command = {"nm", "-C", library}});
   REQUIRE(symbols.output.find("stepwire_advance") != std::string::npos);
   CHECK(symbols.output.find("::each<") == std::string::npos);
+}
+
+TEST_CASE("a loop over lanes calls elementary functions once for the lanes of a register") {
+  const Compiler compiler;
+  if (!compiler.found() || !compiler.is_gcc()) {
+    WARN("there is no GCC here; nothing was compiled");
+    return;
+  }
+  // The forms for 8 lanes are compiled, too, whatever processor compiles them.
+  const auto [lanes, target, form] =
+      GENERATE(std::tuple{4, "-mavx2", "d4_"}, std::tuple{8, "-mavx512f", "d8_"});
+  const Scratch scratch;
+  const std::string text =
+      "#include \"engine/base/math/elementary.hpp\"\n"
+      "extern \"C\" void loop(double* w, const double* v) {\n"
+      "  for (int lane = 0; lane < STEPWIRE_LANES; ++lane)\n"
+      "    w[lane] = stepwire::fn::sin(v[lane]) + stepwire::fn::atan2(w[lane], v[lane]) +\n"
+      "              stepwire::fn::pow(v[lane], w[lane]) + stepwire::fn::pow(w[lane], 2.0);\n}\n";
+  const std::string library = scratch.path("lanes.so");
+  REQUIRE(compiler.compile(scratch.file("lanes.cpp", text), library,
+                           {fmt::format("-DSTEPWIRE_LANES={}", lanes), target, "-fopenmp-simd",
+                            fmt::format("-mprefer-vector-width={}", 64 * lanes)},
+                           {}) == "");
+  const auto code = subprocess::run_process({.command = {"objdump", "-d", "--no-show-raw-insn", library}});
+  const std::size_t begin = code.output.find("<loop>:"), end = code.output.find("\n\n", begin);
+  REQUIRE(begin != std::string::npos);
+  const std::string loop = code.output.substr(begin, end - begin);
+  INFO(loop);
+  for (const char* function : {"sin", "atan2", "pow"})
+    CHECK(loop.find(fmt::format("Sleef_cinz_{}{}", function, form)) != std::string::npos);
+  CHECK(loop.find("d2_u10") == std::string::npos);
 }
 
 }  // namespace stepwire::codegen
