@@ -107,12 +107,12 @@ constexpr char cmake_form[] =
     "if(UNIX AND NOT APPLE)\n  target_link_options({0} PRIVATE "
     "-Wl,--version-script=${{CMAKE_CURRENT_SOURCE_DIR}}/{4})\nendif()\n{5}";
 
-std::string cmake_text(const UnitAbout& about, const std::vector<std::string>& folders) {
+std::string cmake_text(const UnitAbout& about, const std::vector<std::string>& folders, bool uses_libm) {
   std::string more;
   for (const std::string& folder : folders) more += " \"${CMAKE_CURRENT_SOURCE_DIR}/" + folder + "\"";
   return fmt::format(cmake_form, about.identifier, about.source, more,
                      fmt::join(codegen::Compiler::flags(), " "), map_file,
-                     codegen::elementary_search(about.identifier));
+                     uses_libm ? "" : codegen::sleef_search(about.identifier));
 }
 
 /// Returns the path of a header in the unit. Headers of the engine keep the path of their #include.
@@ -140,7 +140,7 @@ Files unit_sources(const plan::Plan& plan, const codegen::Tuning& tuning, const 
     if (path != names.main) files[place_in_unit(path)] = text;
   add_headers(files, about.version);
   const std::vector<std::string> folders = codegen::header_folders(plan);
-  files["CMakeLists.txt"] = cmake_text(about, folders);
+  files["CMakeLists.txt"] = cmake_text(about, folders, plan.diagram.uses_libm);
   if (about.version == 3) files["buildDescription.xml"] = build_description(about, folders);
   files[map_file] = fmt::format("{{ global: fmi{}*; local: *; }};\n", about.version);
   files[about.source] = source_text(plan, about, variables, no_exchange);

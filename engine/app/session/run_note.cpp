@@ -19,7 +19,8 @@ using json::Json;
 
 namespace {
 
-constexpr const char* head_keys[] = {"hash", "title", "step", "stop", "solver", "parameters", "blocks"};
+constexpr const char* head_keys[] = {"hash",   "title",     "step",       "stop",
+                                     "solver", "functions", "parameters", "blocks"};
 constexpr const char* sweep_keys[] = {"sweep", "keep", "kept", "recorded_runs", "runs"};
 
 std::string flattened_path(const std::string& folder) {

@@ -284,6 +284,9 @@ void add_head(Record<RunReport>& is) {
   is.field(
       "solver", [](const RunReport& of) { return result::text_if_any(diagram_of(of).solver); },
       "solver; null if the file names none");
+  is.field(
+      "functions", [](const RunReport& of) { return diagram_of(of).uses_libm ? "libm" : "portable"; },
+      "source of functions such as sin: portable or libm");
 }
 
 void add_work(Record<RunReport>& is) {

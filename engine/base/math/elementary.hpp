@@ -9,26 +9,40 @@
 // Blocks, formulas and solvers call fn::sin(x) instead of std::sin(x). Operations with one exact result, such
 // as std::sqrt, std::floor, std::fmod and std::ldexp, are those of the standard library.
 //
-// STEPWIRE_LIBM selects the functions of the C library, for generated programs without SLEEF.
-// With STEPWIRE_LANES, GCC replaces a call in a loop over lanes by one call for 2, 4 or 8 of them. GCC forms
-// the name of that function from the name of the scalar one, and each such name is an alias of SLEEF's.
+// In the interpreter a call takes SLEEF's function or that of the C library, as the file of its run says
+// (`functions`, see Selection). Generated code has one of them only: with STEPWIRE_LIBM that of the C
+// library, else with STEPWIRE_SLEEF that of SLEEF. With STEPWIRE_LANES, GCC replaces a call of SLEEF in a
+// loop over lanes by one call for 2, 4 or 8 of them. GCC forms the name of that function from the name of the
+// scalar one, and each such name is an alias of SLEEF's.
 
 #include <bit>
 #include <cmath>
 #include <cstdint>
 
-#ifdef STEPWIRE_LIBM
+// Functions of one number and of two, except pow. The text is the bound of their error in SLEEF: u10 is 1.0
+// ulp, u15 is 1.5 and u05 is 0.5. SLEEF's sinh and cosh are infinite beyond 709.78.
+#define STEPWIRE_FUNCTIONS(OF_ONE, OF_TWO) \
+  OF_ONE(sin, "u10")                       \
+  OF_ONE(cos, "u10")                       \
+  OF_ONE(tan, "u10")                       \
+  OF_ONE(asin, "u10")                      \
+  OF_ONE(acos, "u10")                      \
+  OF_ONE(atan, "u10")                      \
+  OF_ONE(sinh, "u10")                      \
+  OF_ONE(cosh, "u10")                      \
+  OF_ONE(tanh, "u10")                      \
+  OF_ONE(exp, "u10")                       \
+  OF_ONE(expm1, "u10")                     \
+  OF_ONE(log, "u10")                       \
+  OF_ONE(log1p, "u10")                     \
+  OF_ONE(log2, "u10")                      \
+  OF_ONE(log10, "u10")                     \
+  OF_ONE(cbrt, "u10")                      \
+  OF_ONE(erfc, "u15")                      \
+  OF_TWO(atan2, "u10")                     \
+  OF_TWO(hypot, "u05")
 
-#define STEPWIRE_OF_ONE(name, error) \
-  inline double name(double x) {     \
-    return std::name(x);             \
-  }
-#define STEPWIRE_OF_TWO(name, error)       \
-  inline double name(double x, double y) { \
-    return std::name(x, y);                \
-  }
-
-#else
+#ifndef STEPWIRE_LIBM
 
 // On x86-64 the form for 2 numbers is faster than the one for 1. Functions of a double and of two doubles
 // both take and return the lower half of a register; the upper half has no effect on it.
@@ -64,48 +78,19 @@
   STEPWIRE_ALIAS_OF_4("_ZGVcN4" arguments, name, error, "d4_" error "avx") \
   STEPWIRE_ALIAS_OF_4("_ZGVdN4" arguments, name, error, "d4_" error "avx") \
   STEPWIRE_ALIAS_OF_8("_ZGVeN8" arguments, name, error, "d8_" error "avx512fnofma")
-#define STEPWIRE_OF_ONE(name, error)                                                        \
+#define STEPWIRE_SLEEF_OF_ONE(name, error)                                                  \
   double name(double x) noexcept __asm__(STEPWIRE_SYMBOL(name, error)) STEPWIRE_ATTRIBUTES; \
   STEPWIRE_ALIASES(name, error, "v")
-#define STEPWIRE_OF_TWO(name, error)                                                                  \
+#define STEPWIRE_SLEEF_OF_TWO(name, error)                                                            \
   double name(double x, double y) noexcept __asm__(STEPWIRE_SYMBOL(name, error)) STEPWIRE_ATTRIBUTES; \
   STEPWIRE_ALIASES(name, error, "vv")
 
-#endif
+namespace stepwire::fn::sleef {
 
-namespace stepwire {
-
-/// Functions whose text is the bound of their error in SLEEF: u10 is 1.0 ulp, u15 is 1.5 and u05 is 0.5.
-/// sinh and cosh are infinite beyond 709.78.
-namespace fn {
-
-STEPWIRE_OF_ONE(sin, "u10")
-STEPWIRE_OF_ONE(cos, "u10")
-STEPWIRE_OF_ONE(tan, "u10")
-STEPWIRE_OF_ONE(asin, "u10")
-STEPWIRE_OF_ONE(acos, "u10")
-STEPWIRE_OF_ONE(atan, "u10")
-STEPWIRE_OF_ONE(sinh, "u10")
-STEPWIRE_OF_ONE(cosh, "u10")
-STEPWIRE_OF_ONE(tanh, "u10")
-STEPWIRE_OF_ONE(exp, "u10")
-STEPWIRE_OF_ONE(expm1, "u10")
-STEPWIRE_OF_ONE(log, "u10")
-STEPWIRE_OF_ONE(log1p, "u10")
-STEPWIRE_OF_ONE(log2, "u10")
-STEPWIRE_OF_ONE(log10, "u10")
-STEPWIRE_OF_ONE(cbrt, "u10")
-STEPWIRE_OF_ONE(erfc, "u15")
-STEPWIRE_OF_TWO(atan2, "u10")
-STEPWIRE_OF_TWO(hypot, "u05")
-
-/// Returns the length of a vector, within 1.5 ulp.
-inline double hypot(double x, double y, double z) {
-  return hypot(hypot(x, y), z);
-}
+STEPWIRE_FUNCTIONS(STEPWIRE_SLEEF_OF_ONE, STEPWIRE_SLEEF_OF_TWO)
 
 namespace any_power {
-STEPWIRE_OF_TWO(pow, "u10")
+STEPWIRE_SLEEF_OF_TWO(pow, "u10")
 }
 
 /// Returns the power x^y. A square is x * x, which is correctly rounded. Lanes choose by bits, since GCC does
@@ -121,9 +106,62 @@ inline double pow(double x, double y) {
 #endif
 }
 
-}  // namespace fn
+}  // namespace stepwire::fn::sleef
 
-}  // namespace stepwire
+#endif
+
+#ifdef STEPWIRE_LIBM
+#define STEPWIRE_CHOICE(of_libm, of_sleef) of_libm
+#elif defined(STEPWIRE_SLEEF)
+#define STEPWIRE_CHOICE(of_libm, of_sleef) of_sleef
+#else
+#define STEPWIRE_CHOICE(of_libm, of_sleef) (is_libm ? (of_libm) : (of_sleef))
+
+namespace stepwire::fn {
+
+/// True while this thread calls functions of the C library. Only Selection sets it.
+extern constinit thread_local bool is_libm __attribute__((tls_model("initial-exec")));
+
+/// Selects the functions of the C library for this thread, or those of SLEEF, up to the end of its scope.
+class Selection {
+ public:
+  explicit Selection(bool libm) : before_(is_libm) { is_libm = libm; }
+  ~Selection() { is_libm = before_; }
+  Selection(const Selection&) = delete;
+  Selection& operator=(const Selection&) = delete;
+
+ private:
+  const bool before_;
+};
+
+}  // namespace stepwire::fn
+
+#endif
+
+#define STEPWIRE_OF_ONE(name, error)                      \
+  inline double name(double x) {                          \
+    return STEPWIRE_CHOICE(std::name(x), sleef::name(x)); \
+  }
+#define STEPWIRE_OF_TWO(name, error)                            \
+  inline double name(double x, double y) {                      \
+    return STEPWIRE_CHOICE(std::name(x, y), sleef::name(x, y)); \
+  }
+
+namespace stepwire::fn {
+
+STEPWIRE_FUNCTIONS(STEPWIRE_OF_ONE, STEPWIRE_OF_TWO)
+
+/// Returns the length of a vector, within 1.5 ulp.
+inline double hypot(double x, double y, double z) {
+  return STEPWIRE_CHOICE(std::hypot(x, y, z), sleef::hypot(sleef::hypot(x, y), z));
+}
+
+/// Returns the power x^y.
+inline double pow(double x, double y) {
+  return STEPWIRE_CHOICE(std::pow(x, y), sleef::pow(x, y));
+}
+
+}  // namespace stepwire::fn
 
 #undef STEPWIRE_OF_ONE
 #undef STEPWIRE_OF_TWO

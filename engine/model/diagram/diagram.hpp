@@ -241,6 +241,7 @@ struct Diagram {
   double tolerance = 0.1;  ///< largest error of a step of an implicit solver, relative to the state
   AlgebraicLoops algebraic_loops;
   Events events;
+  bool uses_libm = false;  ///< Functions such as sin are those of the C library, otherwise those of SLEEF.
   Reproduction reproduces;
 
   std::vector<ScopeInfo> scopes;

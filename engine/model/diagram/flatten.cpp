@@ -129,6 +129,7 @@ class Flattener {
       add_key(root, "tolerance", written_numbers(one(diagram_.tolerance), std::nullopt));
     if (diagram_.algebraic_loops.solve) add_key(root, "algebraic_loops", algebraic_loops());
     if (diagram_.events.locate) add_key(root, "events", events());
+    if (diagram_.uses_libm) add_key(root, "functions", written_text("libm"));
     if (diagram_.stop_when) add_key(root, "stop_when", stop_condition(*diagram_.stop_when));
   }
 

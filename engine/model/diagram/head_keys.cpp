@@ -213,6 +213,11 @@ std::vector<HeadRow> run_rows() {
        form::above_zero(form::number()), &Diagram::tolerance},
       loops_row(),
       events_row(),
+      {"functions", "source of functions such as sin and exp in blocks, formulas and solvers",
+       form::words(
+           {{"portable", "the library SLEEF: the same bits on every x86-64 processor"},
+            {"libm", "the C library of the machine: faster alone, with other last digits elsewhere"}}),
+       &Diagram::uses_libm},
       {"stop_when", "ends the run early where this is true: rig.x > 5 mm, rig.position.1 > 5 mm",
        form::expression()},
       {"record", "signals that figures and claims read", form::one_or_list(form::section("record"))},

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <set>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/diagram/bus_fields.hpp"
 #include "engine/model/diagram/head.hpp"
 #include "engine/model/diagram/open.hpp"
@@ -312,6 +313,13 @@ void read_sections(Scope& root, Opener& opener, Settings& settings, Report& repo
   if (report.faults().empty()) refuse_unused_parameters(root, report);  // a fault may hide uses
 }
 
+/// True for a file whose `functions` are those of the C library. Its expressions are evaluated before its
+/// head is read.
+bool uses_libm(const yaml::Node& root) {
+  const yaml::Node* functions = root.find("functions");
+  return functions && functions->text == "libm";
+}
+
 /// A diagram under construction from its document.
 class Building {
  public:
@@ -324,6 +332,7 @@ class Building {
 
   /// Reads the document and collects its faults; throws Error after faults that prevent further reading.
   void read(Loader& loader, const std::vector<Setting>& given, Extent extent) {
+    const fn::Selection selection(uses_libm(root_.document->root));
     Settings settings(given, report_);
     check_head_keys(root_, report_);
     Opener opener(loader, settings, report_);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/io/environment_error.hpp"
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/plan/draft.hpp"
 
 namespace stepwire::plan {
@@ -54,6 +55,7 @@ Configuration configure(const Plan& plan, std::size_t index, void* block, yaml::
                         const std::map<std::string, double>& constants) {
   const diagram::DiagramBlock& known = plan.diagram.blocks[index];
   Configure is = what_is_known(plan, index, constants);
+  const fn::Selection selection(plan.diagram.uses_libm);
   try {
     known.type().configure(block, is);
   } catch (const ParameterRefused& refused) {
@@ -74,7 +76,9 @@ void prepare(const Plan& plan, std::size_t index, void* block) {
   const BlockType& type = plan.diagram.blocks[index].type();
   for (const ClockSpec& clock : type.clocks)
     if (clock.bind_period) clock.bind_period(block, period_of(plan, index));
-  if (type.prepare) type.prepare(block);
+  if (!type.prepare) return;
+  const fn::Selection selection(plan.diagram.uses_libm);
+  type.prepare(block);
 }
 
 void configure_blocks(Draft& draft) {

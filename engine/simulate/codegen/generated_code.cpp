@@ -92,10 +92,11 @@ ProgramFunctions GeneratedCode::functions_of(const GeneratedProgram& program, co
   if (program.lanes > 1 && compiler_->found() && !compiler_->is_gcc())
     problem = compiler_->version() + " does not put runs into lanes; g++ does";
   if (!problem.empty()) return {};
-  if (const auto known = known_.find(program.text); known != known_.end()) return known->second;
+  const std::string source = library_source(program);
+  if (const auto known = known_.find(source); known != known_.end()) return known->second;
   const ProgramFunctions functions = cache_.load(program, *compiler_, limits, trial, problem);
   if (limits.stop.stop_requested()) problem.clear();
-  if (functions) known_.emplace(program.text, functions);
+  if (functions) known_.emplace(source, functions);
   return functions;
 }
 

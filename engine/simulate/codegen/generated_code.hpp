@@ -43,7 +43,7 @@ class GeneratedCode : public plan::CodeSource {
   const plan::CodeTrial& trial_;
   std::mutex mutex_;
   std::optional<Compiler> compiler_;               ///< set at the first use
-  std::map<std::string, ProgramFunctions> known_;  ///< by the text of the program
+  std::map<std::string, ProgramFunctions> known_;  ///< by the source of the library
   CodeCache cache_;
   std::string problem_;
   bool noted_ = false;

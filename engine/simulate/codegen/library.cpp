@@ -129,8 +129,9 @@ std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& 
   return {Compiler::native};
 }
 
-std::string library_head(const std::vector<std::string>& headers, int lanes) {
+std::string library_head(const std::vector<std::string>& headers, int lanes, bool uses_libm) {
   std::string head = lanes == 1 ? "" : fmt::format("#define STEPWIRE_LANES {}\n", lanes);
+  head += uses_libm ? "#define STEPWIRE_LIBM\n" : "#define STEPWIRE_SLEEF\n";
   head += "#define STEPWIRE_GENERATED\n#include <cmath>\n#include <cstdint>\n#include <limits>\n\n";
   head += lanes == 1 ? "#define stepwire stepwire_compiled\n" : "#define stepwire stepwire_in_lanes\n";
   for (const std::string& header : headers) head += fmt::format("#include \"{}\"\n", header);
@@ -138,7 +139,7 @@ std::string library_head(const std::vector<std::string>& headers, int lanes) {
 }
 
 std::string library_source(const GeneratedProgram& program) {
-  std::string source = library_head(program.headers, program.lanes);
+  std::string source = library_head(program.headers, program.lanes, program.uses_libm);
   source += "\nnamespace {\n\nusing namespace stepwire;\n\n" + program.text + "\n}  // namespace\n\n";
   const std::string exported = "extern \"C\" [[gnu::flatten, gnu::visibility(\"default\")]] void stepwire_";
   if (program.lanes > 1) return source + exported + "run(plan::LaneTask& task) {\n  run(task);\n}\n";

@@ -26,8 +26,8 @@ std::vector<std::string> library_flags();
 
 /// Returns the beginning of a library's source: its headers. The namespace of the blocks is renamed, because
 /// classes have fewer members in generated code, depending on the number of lanes. A name must not denote two
-/// classes in one process.
-std::string library_head(const std::vector<std::string>& headers, int lanes);
+/// classes in one process. The elementary functions are those of the C library, or those of SLEEF.
+std::string library_head(const std::vector<std::string>& headers, int lanes, bool uses_libm = false);
 
 /// Returns the source of a shared library with a program's functions.
 std::string library_source(const GeneratedProgram& program);

@@ -431,7 +431,9 @@ class Maker {
 };
 
 GeneratedProgram Maker::program() const {
-  return {places_text(plan_, names_) + tables_text(literals_) + functions_.text(), headers_of(plan_)};
+  return {.text = places_text(plan_, names_) + tables_text(literals_) + functions_.text(),
+          .headers = headers_of(plan_),
+          .uses_libm = plan_.diagram.uses_libm};
 }
 
 }  // namespace

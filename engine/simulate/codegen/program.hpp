@@ -18,6 +18,7 @@ struct GeneratedProgram {
   std::string text;                  ///< names of places, tables and the functions, without a namespace
   std::vector<std::string> headers;  ///< needed headers, from the root of the sources
   int lanes = 1;                     ///< runs that it steps together
+  bool uses_libm = false;            ///< as Diagram::uses_libm
 };
 
 /// Generates a standalone program with the plan's values. Throws Error for blocks that no program can have,

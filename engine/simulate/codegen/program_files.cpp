@@ -354,12 +354,15 @@ constexpr char eigen_check[] =
     "Debian\n"
     "#error package libeigen3-dev\n"
     "#endif\n\n";
-/// Choice of the elementary functions, at the head of the source.
-constexpr char elementary_choice[] =
+/// Choice of the elementary functions, at the head of the source of a diagram with `functions: portable`.
+constexpr char portable_functions[] =
     "// Functions such as sin: with -DSTEPWIRE_SLEEF and -lsleef those of SLEEF, which give the bits of "
     "`stepwire "
     "run` on\n// every processor; otherwise those of the C library, whose last digits may differ.\n"
     "#ifndef STEPWIRE_SLEEF\n#define STEPWIRE_LIBM\n#endif\n\n";
+/// The same with `functions: libm`.
+constexpr char libm_functions[] =
+    "// Functions such as sin are those of the C library, as the diagram says.\n#define STEPWIRE_LIBM\n\n";
 constexpr char eigen_search[] =
     "# Solver or blocks need the headers of Eigen.\n"
     "find_package(Eigen3 QUIET NO_MODULE)\n"
@@ -447,7 +450,7 @@ constexpr char cmake_form[] =
     "endif()\n";
 
 std::string cmake_text(const ProgramNames& names, const std::vector<std::string>& folders, bool c_interface,
-                       bool uses_eigen) {
+                       bool uses_eigen, bool uses_libm) {
   std::string more;
   for (const std::string& folder : folders)
     more += fmt::format(" \"${{CMAKE_CURRENT_SOURCE_DIR}}/{}\"", folder);
@@ -458,7 +461,7 @@ std::string cmake_text(const ProgramNames& names, const std::vector<std::string>
       uses_eigen ? fmt::format(eigen_search, names.space) : "",
       uses_eigen ? fmt::format("target_link_libraries({} PRIVATE Eigen3::Eigen)\n", names.space) : "",
       c_interface ? " " + names.c_source : "", more, fmt::join(Compiler::gcc_flags, " "),
-      elementary_search(names.space));
+      uses_libm ? "" : sleef_search(names.space));
 }
 
 /// Returns the size of the longest list that a block receives again as parameters change. Lists up to this
@@ -488,7 +491,7 @@ std::string source_text(const GeneratedProgram& program, const ProgramNames& nam
         "#define STEPWIRE_LONGEST_LIST {}\n",
         *longest);
   if (needs_eigen(headers.files())) text += eigen_check;
-  text += elementary_choice;
+  text += program.uses_libm ? libm_functions : portable_functions;
   text += fmt::format(
       "#include <bit>\n#include <cmath>\n#include <cstring>\n#include <limits>\n\n"
       "// Blocks of another version may be linked beside these.\n#define stepwire stepwire_of_{}\n",
@@ -515,7 +518,7 @@ ProgramNames::ProgramNames(const std::string& name)
       c_header(stem + "-c.h"),
       c_source(stem + "-c.cpp") {}
 
-std::string elementary_search(const std::string& target) {
+std::string sleef_search(const std::string& target) {
   return fmt::format(
       "# Functions such as sin: those of SLEEF give the bits of `stepwire run` on every processor, those of "
       "the C\n"
@@ -548,7 +551,8 @@ std::map<std::string, std::string> program_files(const plan::Plan& plan, const T
     files[names.c_source] = note + c.source;
   }
   files.merge(headers.files());
-  files["CMakeLists.txt"] = cmake_text(names, headers.folders(), options.c_interface, needs_eigen(files));
+  files["CMakeLists.txt"] =
+      cmake_text(names, headers.folders(), options.c_interface, needs_eigen(files), plan.diagram.uses_libm);
   return files;
 }
 

@@ -39,7 +39,7 @@ bool needs_eigen(const std::map<std::string, std::string>& files);
 
 /// Returns the lines of a CMakeLists.txt that give the target SLEEF's elementary functions where the host has
 /// them.
-std::string elementary_search(const std::string& target);
+std::string sleef_search(const std::string& target);
 
 /// Returns the include folders of those files for foreign headers, without those of the program and
 /// stepwire/.

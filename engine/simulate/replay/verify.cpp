@@ -31,7 +31,8 @@ struct RunNote {
   std::vector<std::size_t> recorded{};  ///< indices of runs whose rows are kept beside numbers of all runs
   bool interrupted = false;
   std::optional<double> ticks{};  ///< of all runs
-  yaml::Node document{};          ///< the whole file
+  bool uses_libm = true;  ///< as Diagram::uses_libm; versions before the key `functions` had no others
+  yaml::Node document{};  ///< the whole file
 };
 
 /// Returns the index of a run that a file numbers from 1.
@@ -69,14 +70,24 @@ RunNote read_run_note(const std::string& file) {
     note.interrupted = interrupted->text == "true";
   if (const yaml::Node* ticks = note.document.find("ticks"))
     if (const auto number = unit::parse_quantity(ticks->text)) note.ticks = number->value;
+  if (const yaml::Node* functions = note.document.find("functions"))
+    note.uses_libm = functions->text == "libm";
   return note;
+}
+
+/// Plans a diagram of the folder; `uses_libm` replaces that of the file.
+plan::Plan plan_of_file(const std::string& path, const Registry& registry,
+                        const std::optional<bool>& uses_libm) {
+  diagram::Diagram diagram = diagram::Loader(registry, wide_limits).load(path);
+  diagram.uses_libm = uses_libm.value_or(diagram.uses_libm);
+  return plan::make_plan(std::move(diagram));
 }
 
 /// Runs of a sweep in its folder: the diagrams, and the values that each run sets in one of them.
 class SweepRuns {
  public:
-  /// Throws Error if the table of the sweep is missing or does not have `runs` rows.
-  SweepRuns(std::string folder, std::size_t runs, const Registry& registry);
+  /// Throws Error if the table of the sweep is missing or does not have a row for each run.
+  SweepRuns(std::string folder, const RunNote& note, const Registry& registry);
   ~SweepRuns();
 
   /// Returns the simulation of a run, at time 0. Throws Error if the diagram refuses the values.
@@ -90,6 +101,7 @@ class SweepRuns {
 
   std::string folder_;
   const Registry& registry_;
+  bool uses_libm_;
   table::Table table_;
   table::ColumnWords words_;
   std::map<std::string, std::unique_ptr<Diagram>> diagrams_;  ///< by their names in the folder
@@ -97,28 +109,24 @@ class SweepRuns {
 
 /// Diagram of the folder, with its run.
 struct SweepRuns::Diagram {
-  Diagram(const std::string& path, const Registry& registry)
-      : plan(plan::make_plan(loaded(path, registry))), run(plan) {}
-
-  static stepwire::diagram::Diagram loaded(const std::string& path, const Registry& registry) {
-    return diagram::Loader(registry, wide_limits).load(path);
-  }
+  Diagram(const std::string& path, const Registry& registry, bool uses_libm)
+      : plan(plan_of_file(path, registry, uses_libm)), run(plan) {}
 
   plan::Plan plan;
   run::Executor run;
 };
 
-SweepRuns::SweepRuns(std::string folder, std::size_t runs, const Registry& registry)
-    : folder_(std::move(folder)), registry_(registry) {
+SweepRuns::SweepRuns(std::string folder, const RunNote& note, const Registry& registry)
+    : folder_(std::move(folder)), registry_(registry), uses_libm_(note.uses_libm) {
   const std::string path = folder_ + "/" + sweep_name;
   for (const table::Column& column : table::read_csv_header(path).columns) words_[column.name];
   table_ = table::read_csv(path, words_);
-  if (table_.rows() != runs)
+  if (table_.rows() != note.runs)
     throw yaml::Error(
         yaml::Fault{{path, {}},
                     "",
                     fmt::format("has {}, and run.json says {}", text::counted(table_.rows(), "row"),
-                                text::counted(runs, "run")),
+                                text::counted(note.runs, "run")),
                     {}});
 }
 
@@ -133,7 +141,7 @@ SweepRuns::Diagram& SweepRuns::diagram_of(std::size_t run) {
   const bool several = !table_.columns.empty() && table_.columns.front().name == diagram_column;
   const std::string name = several ? text(0, run) : flattened_name;
   auto& diagram = diagrams_[name];
-  if (!diagram) diagram = std::make_unique<Diagram>(folder_ + "/" + name, registry_);
+  if (!diagram) diagram = std::make_unique<Diagram>(folder_ + "/" + name, registry_, uses_libm_);
   return *diagram;
 }
 
@@ -217,10 +225,9 @@ class Verifier {
              "something");
   }
 
-  plan::Plan plan_of(const std::string& name) const {
+  plan::Plan plan_of(const std::string& name, const std::optional<bool>& uses_libm = {}) const {
     require_file(name);
-    diagram::Loader loader(registry_, wide_limits);
-    return plan::make_plan(loader.load(path(name)));
+    return plan_of_file(path(name), registry_, uses_libm);
   }
 
   /// Returns the faults for folders of blocks that the run had loaded and this program has not.
@@ -282,7 +289,7 @@ class Verifier {
   }
 
   void verify_run(const RunNote& note) {
-    const plan::Plan plan = plan_of(flattened_name);
+    const plan::Plan plan = plan_of(flattened_name, note.uses_libm);
     const std::vector<Recorded> tables = read_tables(plan, 1);
     std::vector<RecordedRows> rows;
     for (const Recorded& table : tables) rows.push_back({&table, 0, table.table.rows()});
@@ -302,7 +309,7 @@ class Verifier {
 
   void verify_sweep(const RunNote& note) {
     result_.runs = note.runs;
-    SweepRuns runs(folder_, note.runs, registry_);
+    SweepRuns runs(folder_, note, registry_);
     std::vector<std::size_t> all(note.runs);
     std::iota(all.begin(), all.end(), std::size_t{0});
     verify_rows(note, all, 0, runs);
@@ -339,7 +346,7 @@ class Verifier {
   /// Verifies a sweep that keeps the last row of each run.
   void verify_last_rows(const RunNote& note) {
     result_.runs = note.runs;
-    SweepRuns runs(folder_, note.runs, registry_);
+    SweepRuns runs(folder_, note, registry_);
     table::ColumnWords words;
     for (const std::string& parameter : note.swept) words[parameter];
     std::vector<Recorded> tables;
@@ -359,7 +366,7 @@ class Verifier {
     if (!numbers_)
       refuse(path("run.json"), "says that numbers of the runs are kept, which are not read here");
     result_.runs = note.runs;
-    SweepRuns runs(folder_, note.runs, registry_);
+    SweepRuns runs(folder_, note, registry_);
     const KeptTable table = read_kept_table(recorded_file(folder_, 0), note.swept, note.runs);
     result_.signals = table.recorded.signals();
     std::shared_ptr<const run::RunNumbers> numbers;

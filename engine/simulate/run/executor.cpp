@@ -7,7 +7,7 @@
 
 namespace stepwire::run {
 
-Executor::Executor(const plan::Plan& plan)
+Executor::Executor(const plan::Plan& plan, const fn::Selection&)
     : plan_(plan),
       workspace_{0, std::vector<double>(plan.layout.size, 0.0)},
       blocks_(plan, workspace_.values.data()),
@@ -68,6 +68,7 @@ Executor::Setting Executor::set(const std::string& name, const std::string& valu
 
 Executor::Setting Executor::set(const diagram::Variation& variation,
                                 std::span<const diagram::Assignment> values) {
+  const fn::Selection selection = functions();
   const auto rebuilt = setter_.set(variation, values);
   if (!rebuilt) return Setting::structure_changed;
   for (const std::size_t block : *rebuilt) read_numbers(block);
@@ -82,6 +83,7 @@ diagram::Diagram Executor::diagram() const {
 }
 
 void Executor::reset() {
+  const fn::Selection selection = functions();
   workspace_.tick = 0;
   health_.restart();
   blocks_.restart();
@@ -98,6 +100,7 @@ void Executor::restore(const Workspace& workspace) {
 }
 
 void Executor::follow_values() {
+  const fn::Selection selection = functions();
   blocks_.write_constants();
   once_.forget_loops();
   once_.run_due();
@@ -118,6 +121,7 @@ void Executor::evaluate() {
 
 void Executor::check_steps() {
   if (!healthy()) return;
+  const fn::Selection selection = functions();
   find_unstable_steps(blocks_, stepper_, probe_memory_);
   health_.look_at_step();
 }
@@ -125,6 +129,7 @@ void Executor::check_steps() {
 void Executor::look_at_end() {
   if (!healthy()) return;
   if (!end_updates_.empty() && !(events_ && events_->has_stopped())) {
+    const fn::Selection selection = functions();
     if (!health_.has_ended()) who_.find_due(workspace_.tick);
     end_updates_.run_due();
   }
@@ -132,6 +137,7 @@ void Executor::look_at_end() {
 }
 
 void Executor::find_outputs() {
+  const fn::Selection selection = functions();
   workspace_.values[plan::Layout::time] = plan_.time_of(workspace_.tick);
   stepper_.follow_time();
   phase_.find_outputs(workspace_.tick, events_ && events_->is_ahead() && !who_.probe);
@@ -146,6 +152,7 @@ void Executor::advance() {
       take_step();
     health_.look_at_step();
     if (sides_ && healthy() && !has_stopped()) {
+      const fn::Selection selection = functions();
       const double end = plan_.time_of(workspace_.tick + 1);
       sides_->before(end, end);
     }
@@ -159,12 +166,14 @@ void Executor::begin_step() {
 }
 
 void Executor::find_slopes() {
+  const fn::Selection selection = functions();
   phase_.update();
   begin_step();
   stepper_.find_slopes();
 }
 
 void Executor::take_step() {
+  const fn::Selection selection = functions();
   if (events_) events_->keep_states();
   phase_.update();
   if (health_.has_ended()) return last_outputs_->run();

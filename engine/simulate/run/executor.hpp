@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/plan/compiled_plan.hpp"
 #include "engine/simulate/run/both_sides.hpp"
 #include "engine/simulate/run/discrete_phase.hpp"
@@ -34,7 +35,7 @@ struct Workspace {
 class Executor {
  public:
   /// Throws Error if the diagram names an unknown solver.
-  explicit Executor(const plan::Plan& plan);
+  explicit Executor(const plan::Plan& plan) : Executor(plan, fn::Selection(plan.diagram.uses_libm)) {}
   Executor(const Executor&) = delete;
   Executor& operator=(const Executor&) = delete;
 
@@ -127,6 +128,7 @@ class Executor {
 
   /// Runs one call of the plan, or a part of its blocks, at the present instant. Used to measure its cost.
   void call(const plan::KernelCall& batch) {
+    const fn::Selection selection = functions();
     batch.run(blocks_.memory() + batch.first, blocks_.memory() + batch.end);
   }
   /// True if all signals and continuous states are finite. evaluate() checks it at every tick.
@@ -137,6 +139,11 @@ class Executor {
   std::vector<RaisedDiagnostic> diagnostics() const { return health_.diagnostics(); }
 
  private:
+  /// Makes a run while the functions of its plan are selected.
+  Executor(const plan::Plan& plan, const fn::Selection& selected);
+
+  /// Selects the elementary functions of the plan. Each public function that may call blocks does so first.
+  fn::Selection functions() const { return fn::Selection(plan_.diagram.uses_libm); }
   /// Updates the code's number table for a block that was set, or leaves code that has its old values as
   /// constants.
   void read_numbers(std::size_t block);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/base/expression/margin.hpp"
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/plan/plan.hpp"
 
 namespace stepwire::run {
@@ -22,12 +23,18 @@ class StopConditionEvaluator {
   explicit StopConditionEvaluator(const plan::Plan& plan) {
     if (!plan.diagram.stop_when) return;
     condition_ = plan.diagram.stop_when->expression;
+    uses_libm_ = plan.diagram.uses_libm;
     offsets_ = stop_offsets(plan);
   }
-  bool stops(const double* values) const { return condition_ && (*condition_)(values, offsets_) != 0.0; }
+  bool stops(const double* values) const {
+    if (!condition_) return false;
+    const fn::Selection selection(uses_libm_);
+    return (*condition_)(values, offsets_) != 0.0;
+  }
 
  private:
   std::optional<expression::Expression> condition_;
+  bool uses_libm_ = false;
   std::vector<std::size_t> offsets_;
 };
 

@@ -103,6 +103,7 @@ TEST_CASE("claims.json and run.json have the fields that scripts read") {
                                                  "faults",
                                                  "file",
                                                  "findings",
+                                                 "functions",
                                                  "hash",
                                                  "interrupted",
                                                  "keep",
@@ -124,6 +125,7 @@ TEST_CASE("claims.json and run.json have the fields that scripts read") {
   CHECK(run["step"] == 0.001);
   CHECK(run["stop"] == 1.0);
   CHECK(run["solver"] == "rk4");
+  CHECK(run["functions"] == "portable");
   CHECK(run["interrupted"] == false);
   CHECK(run["sweep"].is_null());
   const nlohmann::json& tau = run["parameters"][0];

@@ -1,9 +1,11 @@
 #include "engine/base/math/elementary.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <thread>
 #include <vector>
 
 // SLEEF's form for one number, whose bits all others have.
@@ -134,10 +136,38 @@ TEST_CASE("the form for two numbers has the bits of the form for one") {
   }
 }
 
+TEST_CASE("a selection calls the C library up to the end of its scope, on its own thread") {
+  const auto of_sleef = [] {
+    return std::ranges::any_of(numbers(), [](double x) { return !same(fn::exp(x), std::exp(x)); }) &&
+           std::ranges::any_of(numbers(), [](double x) { return !same(fn::pow(1.7, x), std::pow(1.7, x)); });
+  };
+  const auto of_libm = [] {
+    return std::ranges::all_of(numbers(), [](double x) {
+      return same(fn::exp(x), std::exp(x)) && same(fn::pow(1.7, x), std::pow(1.7, x)) &&
+             same(fn::hypot(x, 0.3), std::hypot(x, 0.3)) &&
+             same(fn::hypot(x, 0.3, 7.0), std::hypot(x, 0.3, 7.0));
+    });
+  };
+  REQUIRE(of_sleef());
+  {
+    const fn::Selection libm(true);
+    CHECK(of_libm());
+    bool on_other_thread = false;
+    std::thread([&] { on_other_thread = of_sleef(); }).join();
+    CHECK(on_other_thread);
+    {
+      const fn::Selection portable(false);
+      CHECK(of_sleef());
+    }
+    CHECK(of_libm());
+  }
+  CHECK(of_sleef());
+}
+
 #ifdef __x86_64__
 TEST_CASE("the other half of a register has no effect on the function of a number") {
   using Pair = double __attribute__((vector_size(16)));
-  const auto any = reinterpret_cast<void (*)()>(static_cast<OfOne>(fn::sin));
+  const auto any = reinterpret_cast<void (*)()>(fn::sleef::sin);
   const auto of_pair = reinterpret_cast<Pair (*)(Pair)>(any);
   for (const double other : {1e300, infinite, std::nan(""), 5e-324})
     for (const double x : {0.3, 14.9, 1e10})

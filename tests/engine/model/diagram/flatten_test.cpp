@@ -59,6 +59,17 @@ record:
 )");
 }
 
+TEST_CASE("the elementary functions of the diagram stay, and its hash depends on them") {
+  const std::string wave = "blocks: {wave: {block: Sine}}\n", libm = "functions: libm\n" + wave;
+  CHECK_THAT(flattened(plan_text(libm)), Catch::Contains("functions: libm\n"));
+  CHECK(again(plan_text(libm)).diagram.uses_libm);
+  CHECK_THAT(flattened(plan_text(wave)), !Catch::Contains("functions"));
+  CHECK(hash_of(wave) == hash_of("functions: portable\n" + wave));
+  CHECK(hash_of(wave) != hash_of(libm));
+  CHECK_THAT(error_of("functions: fast\n" + wave),
+             Catch::Contains("functions") && Catch::Contains("portable") && Catch::Contains("libm"));
+}
+
 TEST_CASE("the period of a part is written for blocks on which it acts") {
   const DiagramFolder folder;
   folder.write("part.yaml",

@@ -48,8 +48,8 @@ TEST_CASE("a loop over lanes calls elementary functions once for the lanes of a 
       "              stepwire::fn::pow(v[lane], w[lane]) + stepwire::fn::pow(w[lane], 2.0);\n}\n";
   const std::string library = scratch.path("lanes.so");
   REQUIRE(compiler.compile(scratch.file("lanes.cpp", text), library,
-                           {fmt::format("-DSTEPWIRE_LANES={}", lanes), target, "-fopenmp-simd",
-                            fmt::format("-mprefer-vector-width={}", 64 * lanes)},
+                           {fmt::format("-DSTEPWIRE_LANES={}", lanes), "-DSTEPWIRE_SLEEF", target,
+                            "-fopenmp-simd", fmt::format("-mprefer-vector-width={}", 64 * lanes)},
                            {}) == "");
   const auto code = subprocess::run_process({.command = {"objdump", "-d", "--no-show-raw-insn", library}});
   const std::size_t begin = code.output.find("<loop>:"), end = code.output.find("\n\n", begin);

@@ -7,6 +7,7 @@
 
 #include "engine/model/block/declare.hpp"
 #include "engine/simulate/codegen/literals.hpp"
+#include "engine/simulate/codegen/program_files.hpp"
 #include "tests/support/plan_text.hpp"
 
 namespace stepwire::codegen {
@@ -64,6 +65,20 @@ TEST_CASE("each call names its block and the line of the file") {
       program_of("blocks:\n  half: {block: Gain, gain: 0.5, u: wave}\n  wave: {block: Sine}\n");
   CHECK_THAT(text, Contains("{  // half: Gain, test.yaml:2\n    Gain b;\n    b.gain = 0.5;\n"));
   CHECK_THAT(text, Contains("half_y = ") && Contains("// half.y, Gain, test.yaml:2"));
+}
+
+TEST_CASE("a program has the elementary functions that its diagram names") {
+  const auto files_of = [](const std::string& head) {
+    const plan::Plan plan = plan_text(head + "blocks: {wave: {block: Sine}}\n");
+    return program_files(plan, tuning_of(plan), {"wave", "a test"});
+  };
+  const auto portable = files_of(""), same = files_of("functions: portable\n"),
+             libm = files_of("functions: libm\n");
+  CHECK(portable == same);
+  CHECK_THAT(portable.at("wave.cpp"), Contains("#ifndef STEPWIRE_SLEEF\n#define STEPWIRE_LIBM\n#endif\n"));
+  CHECK_THAT(portable.at("CMakeLists.txt"), Contains("find_library(STEPWIRE_SLEEF NAMES sleef)"));
+  CHECK_THAT(libm.at("wave.cpp"), Contains("as the diagram says.\n#define STEPWIRE_LIBM\n"));
+  CHECK_THAT(libm.at("CMakeLists.txt"), !Contains("SLEEF"));
 }
 
 TEST_CASE("a block without a header is refused with its name and its line") {

@@ -75,6 +75,40 @@ TEST_CASE("a changed diagram is found by what it gives") {
   CHECK(verdict_of(folder, "out") == "signals.csv:3: rig.x at 0.25 s is 0.5 and 0.625 when it is replayed");
 }
 
+TEST_CASE(
+    "a run is replayed with the functions that its note names, and one without any with the C library's") {
+  const DiagramFolder folder;
+  const std::string growing =
+      "step: 10 ms\nstop: 5 s\nblocks: {t: {block: Clock}, y: {block: Expression, u: t, expression: "
+      "exp(u)}}\n"
+      "record: y\n";
+  const std::string fine = "1 signal in 501 rows: all bits agree", other = "when it is replayed";
+  folder.write("main.yaml", "stepwire: 1\nfunctions: libm\n" + growing);
+  leave(folder, "main.yaml", "out");
+  CHECK(verdict_of(folder, "out") == fine);
+  change(folder, "out/run.json", "  \"functions\": \"libm\",\n", "");
+  CHECK(verdict_of(folder, "out") == fine);
+  change(folder, "out/run.json", "  \"runs\":", "  \"functions\": \"portable\",\n  \"runs\":");
+  CHECK_THAT(verdict_of(folder, "out"), Catch::Contains(other));
+  folder.write("main.yaml", "stepwire: 1\n" + growing);
+  leave(folder, "main.yaml", "out");
+  CHECK(verdict_of(folder, "out") == fine);
+  change(folder, "out/run.json", "  \"functions\": \"portable\",\n", "");
+  CHECK_THAT(verdict_of(folder, "out"), Catch::Contains(other));
+}
+
+TEST_CASE("a sweep is replayed with the functions that its note names") {
+  const DiagramFolder folder;
+  folder.write("main.yaml",
+               "stepwire: 1\nfunctions: libm\nstep: 10 ms\nstop: 5 s\nparameters: {rate: 1}\n"
+               "blocks: {t: {block: Clock}, y: {block: Expression, u: t, expression: exp($rate*u)}}\n"
+               "record: y\nsweep: {rate: [1, 1.1]}\n");
+  leave(folder, "main.yaml", "out");
+  CHECK_THAT(verdict_of(folder, "out"), Catch::Contains("of 2 runs: all bits agree"));
+  change(folder, "out/run.json", "\"functions\": \"libm\"", "\"functions\": \"portable\"");
+  CHECK_THAT(verdict_of(folder, "out"), Catch::Contains("when it is replayed"));
+}
+
 TEST_CASE("of a run that ended early the rows that are there are compared, without running on") {
   const DiagramFolder folder;
   folder.write("main.yaml", line);
