@@ -9,11 +9,11 @@
 // Blocks, formulas and solvers call fn::sin(x) instead of std::sin(x). Operations with one exact result, such
 // as std::sqrt, std::floor, std::fmod and std::ldexp, are those of the standard library.
 //
-// In the interpreter a call takes SLEEF's function or that of the C library, as the file of its run says
-// (`functions`, see Selection). Generated code has one of them only: with STEPWIRE_LIBM that of the C
-// library, else with STEPWIRE_SLEEF that of SLEEF. With STEPWIRE_LANES, GCC replaces a call of SLEEF in a
-// loop over lanes by one call for 2, 4 or 8 of them. GCC forms the name of that function from the name of the
-// scalar one, and each such name is an alias of SLEEF's.
+// In the interpreter a call takes SLEEF's function or that of the C library, by the key `functions` of the
+// file (see Selection). Generated code has one of them only: with STEPWIRE_LIBM that of the C library, else
+// with STEPWIRE_SLEEF that of SLEEF. With STEPWIRE_LANES, GCC replaces a call of SLEEF in a loop over lanes
+// by one call for 2, 4 or 8 of them. GCC forms the name of that function from the name of the scalar one, and
+// each such name is an alias of SLEEF's.
 
 #include <bit>
 #include <cmath>
