@@ -89,7 +89,8 @@ class Folder {
     return true;
   }
 
-  /// Loads the file of the run with the values that were set. Returns false if it is another diagram now.
+  /// Loads the file of the run with the values that were set. Returns false if it is another diagram now, or
+  /// has other functions.
   bool load() {
     const std::string file = text_in(note_, "file");
     LoadOptions options;
@@ -108,8 +109,11 @@ class Folder {
       left_out_ = fmt::format("{} with the values of the run cannot be read now", file);
       return false;
     }
-    if (model_.hash != text_in(note_, "hash")) difference_ = run_note_->other_hash(file);
-    return difference_.empty();
+    if (model_.hash != text_in(note_, "hash"))
+      difference_ = run_note_->other_hash(file);
+    else if (!note_.find("functions"))
+      left_out_ = "the run is of a version without the key 'functions', which had those of the C library";
+    return difference_.empty() && left_out_.empty();
   }
 
   Rejudged compare_run() {

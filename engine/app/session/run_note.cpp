@@ -58,6 +58,7 @@ std::string RunNote::difference_from_folder(const Registry& registry) const {
   Json computed = Json::object();
   computed.set("step", diagram.step).set("stop", diagram.stop);
   computed.set("solver", diagram.solver.empty() ? Json() : Json(diagram.solver));
+  computed.set("functions", diagram.uses_libm ? "libm" : "portable");
   computed.set("hash", diagram::diagram_hash(diagram));
   const std::string found = difference(computed, std::string(replay::flattened_name) + " beside it");
   const Json* interrupted = content_.find("interrupted");

@@ -109,6 +109,25 @@ TEST_CASE("verify judges the claims again, and names the first line of claims.js
              Contains("lag.yaml with the values of the run cannot be read"));
 }
 
+TEST_CASE("verify compares the functions of a run, and leaves out the claims of a version without them") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out"}).code == 0);
+  const std::string note = content_of(folder.path("out/run.json"));
+  change(folder, "out/run.json", "\"functions\": \"portable\"", "\"functions\": \"libm\"");
+  const Done other = run_program(folder, {"verify", "out"});
+  CHECK(other.code == 1);
+  CHECK_THAT(other.out + other.err,
+             Contains("has \"functions\": \"libm\", and diagram.yaml beside it has \"portable\""));
+  folder.file("out/run.json", note);
+  change(folder, "out/run.json", "  \"functions\": \"portable\",\n", "");
+  const Done old = run_program(folder, {"verify", "out"});
+  CHECK(old.code == 0);
+  CHECK_THAT(old.out, Contains("all bits agree") &&
+                          Contains("claims and tables are not computed again: the run is of a "
+                                   "version without the key 'functions'"));
+}
+
 TEST_CASE("verify judges the claims of a sweep again") {
   const Scratch folder;
   folder.file("sweep.yaml",
