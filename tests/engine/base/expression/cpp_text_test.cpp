@@ -168,7 +168,8 @@ class Compiled {
 
  private:
   std::string command() const {
-    std::string text = "c++ -std=c++20 -O2 -ffp-contract=off -shared -fPIC -I'" STEPWIRE_SOURCE_DIR "'";
+    std::string text =
+        "c++ -std=c++20 -O2 -ffp-contract=off -DSTEPWIRE_SLEEF -shared -fPIC -I'" STEPWIRE_SOURCE_DIR "'";
     for (const char* function : {"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh",
                                  "exp", "log", "log1p", "log2", "log10", "cbrt", "hypot", "pow"})
       text += std::string(" -fno-builtin-") + function;
