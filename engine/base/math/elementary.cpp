@@ -1,7 +1,7 @@
 #include "engine/base/math/elementary.hpp"
 
-namespace stepwire::fn {
+namespace stepwire {
 
-constinit thread_local bool is_libm = false;
+constinit thread_local bool fn::is_libm = false;
 
-}  // namespace stepwire::fn
+}  // namespace stepwire

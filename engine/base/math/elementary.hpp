@@ -19,6 +19,10 @@
 #include <cmath>
 #include <cstdint>
 
+namespace stepwire {
+
+namespace fn {
+
 // Functions of one number and of two, except pow. The text is the bound of their error in SLEEF: u10 is 1.0
 // ulp, u15 is 1.5 and u05 is 0.5. SLEEF's sinh and cosh are infinite beyond 709.78.
 #define STEPWIRE_FUNCTIONS(OF_ONE, OF_TWO) \
@@ -78,14 +82,14 @@
   STEPWIRE_ALIAS_OF_4("_ZGVcN4" arguments, name, error, "d4_" error "avx") \
   STEPWIRE_ALIAS_OF_4("_ZGVdN4" arguments, name, error, "d4_" error "avx") \
   STEPWIRE_ALIAS_OF_8("_ZGVeN8" arguments, name, error, "d8_" error "avx512fnofma")
-#define STEPWIRE_SLEEF_OF_ONE(name, error)                                                  \
-  double name(double x) noexcept __asm__(STEPWIRE_SYMBOL(name, error)) STEPWIRE_ATTRIBUTES; \
-  STEPWIRE_ALIASES(name, error, "v")
-#define STEPWIRE_SLEEF_OF_TWO(name, error)                                                            \
-  double name(double x, double y) noexcept __asm__(STEPWIRE_SYMBOL(name, error)) STEPWIRE_ATTRIBUTES; \
-  STEPWIRE_ALIASES(name, error, "vv")
+#define STEPWIRE_SLEEF_OF_ONE(name, error) \
+  STEPWIRE_ALIASES(name, error, "v")       \
+  double name(double x) noexcept __asm__(STEPWIRE_SYMBOL(name, error)) STEPWIRE_ATTRIBUTES;
+#define STEPWIRE_SLEEF_OF_TWO(name, error) \
+  STEPWIRE_ALIASES(name, error, "vv")      \
+  double name(double x, double y) noexcept __asm__(STEPWIRE_SYMBOL(name, error)) STEPWIRE_ATTRIBUTES;
 
-namespace stepwire::fn::sleef {
+namespace sleef {
 
 STEPWIRE_FUNCTIONS(STEPWIRE_SLEEF_OF_ONE, STEPWIRE_SLEEF_OF_TWO)
 
@@ -106,7 +110,7 @@ inline double pow(double x, double y) {
 #endif
 }
 
-}  // namespace stepwire::fn::sleef
+}  // namespace sleef
 
 #endif
 
@@ -116,8 +120,6 @@ inline double pow(double x, double y) {
 #define STEPWIRE_CHOICE(of_libm, of_sleef) of_sleef
 #else
 #define STEPWIRE_CHOICE(of_libm, of_sleef) (is_libm ? (of_libm) : (of_sleef))
-
-namespace stepwire::fn {
 
 /// True while this thread calls functions of the C library. Only Selection sets it.
 extern constinit thread_local bool is_libm __attribute__((tls_model("initial-exec")));
@@ -134,8 +136,6 @@ class Selection {
   const bool before_;
 };
 
-}  // namespace stepwire::fn
-
 #endif
 
 #define STEPWIRE_OF_ONE(name, error)                      \
@@ -146,8 +146,6 @@ class Selection {
   inline double name(double x, double y) {                      \
     return STEPWIRE_CHOICE(std::name(x, y), sleef::name(x, y)); \
   }
-
-namespace stepwire::fn {
 
 STEPWIRE_FUNCTIONS(STEPWIRE_OF_ONE, STEPWIRE_OF_TWO)
 
@@ -161,7 +159,9 @@ inline double pow(double x, double y) {
   return STEPWIRE_CHOICE(std::pow(x, y), sleef::pow(x, y));
 }
 
-}  // namespace stepwire::fn
+}  // namespace fn
+
+}  // namespace stepwire
 
 #undef STEPWIRE_OF_ONE
 #undef STEPWIRE_OF_TWO
