@@ -68,8 +68,8 @@ TEST_CASE("each call names its block and the line of the file") {
 }
 
 TEST_CASE("a program has the elementary functions that its diagram names") {
-  const auto files_of = [](const std::string& head) {
-    const plan::Plan plan = plan_text(head + "blocks: {wave: {block: Sine}}\n");
+  const auto files_of = [](const std::string& end) {
+    const plan::Plan plan = plan_text("blocks: {wave: {block: Sine}}\n" + end);
     return program_files(plan, tuning_of(plan), {"wave", "a test"});
   };
   const auto portable = files_of(""), same = files_of("functions: portable\n"),

@@ -16,11 +16,12 @@ namespace {
 const std::string swinging =
     "stepwire: 1\nstep: 10 ms\nstop: 5 s\nsolver: {name: dormand_prince, relative: 1e-6}\n"
     "parameters: {rate: {value: 1 1/s}, growth: {value: = exp(0.7)}}\nblocks:\n"
-    "  t: {block: Clock}\n  wave: {block: Trig, function: tanh, u: t}\n"
+    "  s: {block: Clock}\n  t: {block: Gain, u: s, gain: 1 1/s}\n  wave: {block: Trig, function: tanh, u: "
+    "t}\n"
     "  formula: {block: Expression, u: t, expression: exp(u)}\n"
     "  fixed: {block: Constant, value: $growth}\n"
-    "  pull: {block: Expression, u: x, expression: -$rate*sin(u)}\n  v: {block: Integrator, u: pull}\n"
-    "  x: {block: Integrator, u: v, initial: 3}\nrecord: [wave, formula, fixed, x]\n";
+    "  pull: {block: Expression, u: x, expression: -$rate*sin(u)}\n"
+    "  x: {block: Integrator, u: pull, initial: 3}\nrecord: [wave, formula, fixed, x]\n";
 
 RunResult run_of(const std::string& yaml, RunOptions options = {}) {
   const DiagramFolder folder;
@@ -84,7 +85,8 @@ TEST_CASE("compiled code calls the functions that the file names") {
 }
 
 TEST_CASE("the runs of a sweep call the functions that the file names, alone and in lanes") {
-  std::string text = "functions: libm\n" + swinging + "sweep: {rate: [1, 1.1, 1.2, 1.3, 1.4]}\n";
+  std::string text =
+      "functions: libm\n" + swinging + "sweep: {rate: [1 1/s, 1.1 1/s, 1.2 1/s, 1.3 1/s, 1.4 1/s]}\n";
   text.replace(text.find("{name: dormand_prince, relative: 1e-6}"), 38, "rk4");
   codegen::GeneratedCode code{code_trial()};
   const RunResult together = run_of(text, compiled(code, LaneUse::at_once)), interpreted = run_of(text);
