@@ -16,7 +16,9 @@ class CrossingLooks {
   explicit CrossingLooks(BoundBlocks& blocks);
 
   void find(double* numbers) const;
-  /// Evaluates only the functions that may have changed although time and states have not.
+  /// True if functions may have changed although time and states have not.
+  bool may_change() const { return stop_changes_ || !changing_.empty(); }
+  /// Evaluates these only.
   void find_changing(double* numbers) const {
     if (!changing_.empty()) find(changing_, numbers);
     if (stop_changes_) numbers[*plan_.stop_crossing] = (*stop_margin_)(values_);
