@@ -48,6 +48,8 @@ class OpenDevice {
 
   /// Throws EnvironmentError with the driver's sentence.
   void start(std::int64_t period, const double* safe);
+  /// False while no value has come since the start. Throws EnvironmentError where the device has failed.
+  bool is_ready();
   int read(double* values) noexcept { return driver_.read(device_, values); }
   int write(const double* values) noexcept { return driver_.write(device_, values); }
   int safe() noexcept { return driver_.safe(device_); }

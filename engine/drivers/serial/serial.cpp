@@ -93,14 +93,12 @@ class SerialDevice {
     ::tcflush(line_.file(), TCIFLUSH);
   }
 
+  int ready() {
+    if (!take_bytes()) return -1;
+    return channels_.count(STEPWIRE_INPUT) == 0 || newest_.seen() > 0;
+  }
   int read(double* values) {
-    for (int i = 0; i < most_reads; ++i) {
-      const ssize_t got = ::read(line_.file(), bytes_.data() + filled_, bytes_.size() - filled_);
-      if (got == 0 || (got < 0 && errno != EAGAIN && errno != EINTR)) return STEPWIRE_FAILED;  // 0: unplugged
-      if (got < 0) break;
-      filled_ += static_cast<std::size_t>(got);
-      take_frames();
-    }
+    if (!take_bytes()) return STEPWIRE_FAILED;
     return channels_.count(STEPWIRE_INPUT) > 0 ? newest_.give(values) : STEPWIRE_OK;
   }
 
@@ -130,6 +128,17 @@ class SerialDevice {
   }
 
  private:
+  /// Takes the bytes that have come. Returns false once the line is unplugged.
+  bool take_bytes() {
+    for (int i = 0; i < most_reads; ++i) {
+      const ssize_t got = ::read(line_.file(), bytes_.data() + filled_, bytes_.size() - filled_);
+      if (got == 0 || (got < 0 && errno != EAGAIN && errno != EINTR)) return false;
+      if (got < 0) break;
+      filled_ += static_cast<std::size_t>(got);
+      take_frames();
+    }
+    return true;
+  }
   void put(std::uint8_t* to, double value) const {
     const auto small = static_cast<float>(value);
     if (width_ == 4)

@@ -117,7 +117,10 @@ class SharedDevice {
     (is_host_ ? segment_->host : segment_->client) = ::getpid();
   }
 
-  /// Values that were never written are stale only after the limit, so that either side may begin first.
+  int ready() {
+    std::int64_t time = 0;
+    return last_.empty() || stepwire_get(&from(), last_.data(), last_.size(), &time) != 0;
+  }
   int read(double* values) {
     std::int64_t time = 0;
     const std::uint64_t beat = stepwire_get(&from(), values, last_.size(), &time);

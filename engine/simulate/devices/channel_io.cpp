@@ -5,9 +5,10 @@
 namespace stepwire::devices {
 
 DirectIo::DirectIo(const Wiring& wiring, guard::Bank& bank) : bank_(bank), watch_(wiring.limits) {
-  for (std::size_t i = 0; i < bank.devices(); ++i) bank.hold_stale(i, wiring.holds_stale[i]);
+  bank_.use(wiring.uses);
   bank_.start(wiring.limits.period, watch_.safe());
   bank_.safe();
+  bank_.await_values(wiring.wait, [] { return true; });
 }
 
 DirectIo::~DirectIo() {
@@ -44,7 +45,7 @@ std::vector<std::string> DirectIo::finish() {
 }
 
 GuardedIo::GuardedIo(const Wiring& wiring, int priority)
-    : guard_({wiring.devices, wiring.holds_stale, wiring.limits, priority}) {}
+    : guard_({wiring.devices, wiring.uses, wiring.wait, wiring.limits, priority}) {}
 
 std::vector<std::string> GuardedIo::finish() {
   std::vector<std::string> lines;

@@ -75,7 +75,8 @@ class Wirer {
     all_.limits.period = nanoseconds(period_);
     all_.limits.late = nanoseconds(request_.late.value_or(1.5 * period_));
     all_.limits.ramp = nanoseconds(request_.ramp);
-    all_.holds_stale.assign(bank_.devices(), true);
+    all_.wait = nanoseconds(request_.wait);
+    all_.uses.assign(bank_.devices(), guard::InputUse::unused);
     for (std::size_t i = 0; i < bank_.devices(); ++i) {
       for (const stepwire_channel& one : bank_.device(i).inputs())
         all_.limits.inputs.push_back({channel_name(i, one)});
@@ -85,6 +86,8 @@ class Wirer {
       }
     }
   }
+  /// A device has the strictest use of its inputs.
+  void use(std::size_t device, guard::InputUse how) { all_.uses[device] = std::max(all_.uses[device], how); }
   std::string channel_name(std::size_t device, const stepwire_channel& channel) const {
     return request_.devices[device].name + "." + channel.name;
   }
@@ -176,7 +179,7 @@ class Wirer {
     const auto of_scale = one.scale ? one.scale->quantity.dimension : std::nullopt;
     const Dimension shown = dimension.value_or(of_scale.value_or(Dimension{}) * unit->dimension);
     all_.inputs.push_back({*port, place->index, line.scale, line.offset, filter, unit_name(shown)});
-    if (one.stale == Stale::stop) all_.holds_stale[place->device] = false;
+    use(place->device, one.stale == Stale::stop ? guard::InputUse::live : guard::InputUse::held);
     limit_input(one, line, dimension, all_.limits.inputs[place->index]);
   }
 
@@ -260,7 +263,7 @@ class Wirer {
     const auto place = place_of(one.device, one.channel, STEPWIRE_INPUT, one.mark, "dead_man");
     if (!place) return;
     all_.limits.dead_man = guard::DeadMan{place->index, one.above};
-    all_.holds_stale[place->device] = false;
+    use(place->device, guard::InputUse::live);
   }
 
   void add_energy(const EnergyRequest& one) {

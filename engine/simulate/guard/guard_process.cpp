@@ -41,7 +41,7 @@ GuardProcess::GuardProcess(Link& link, int life)
     throw io::EnvironmentError("the devices have other channels than before");
   inputs_.assign(bank_.inputs(), 0.0);
   commands_.assign(bank_.outputs(), 0.0);
-  for (std::size_t i = 0; i < bank_.devices(); ++i) bank_.hold_stale(i, call_.holds_stale[i]);
+  bank_.use(call_.uses);
   bank_.start(call_.limits.period, watch_.safe());
   bank_.safe();
 }
@@ -54,6 +54,7 @@ GuardProcess::~GuardProcess() {
 
 void GuardProcess::serve() {
   become_prompt(call_.priority);
+  bank_.await_values(call_.wait, [this] { return link_.beats() == seen_ && !is_alone(); });
   life_watch_ = std::thread([this] { watch_life(); });
   read_devices(monotonic());
   link_.tell(GuardState::running, "");
@@ -129,6 +130,11 @@ void GuardProcess::announce_trip() {
   if (announced_) return;
   announced_ = true;
   link_.tell(GuardState::tripped, watch_.text());
+}
+
+bool GuardProcess::is_alone() const noexcept {
+  pollfd look{life_, 0, 0};
+  return ::poll(&look, 1, 0) > 0;
 }
 
 void GuardProcess::watch_life() noexcept {

@@ -27,6 +27,8 @@ class GuardProcess {
   void read_devices(std::int64_t now);
   void accept(int result) noexcept;
   void announce_trip();
+  /// True once the loop has ended.
+  bool is_alone() const noexcept;
   void watch_life() noexcept;
   void finish();
   std::int64_t next_turn() const;

@@ -44,7 +44,7 @@ RunningGuard::RunningGuard(GuardCall call)
     : call_(std::move(call)),
       link_(call_.limits.inputs.size(), call_.limits.outputs.size(), bytes_of(call_)) {
   spawn();
-  await(GuardState::starting, longest_start);
+  await(GuardState::starting, longest_start + call_.wait);
   if (link_.state() != GuardState::running) {
     const std::string reason = link_.reason();
     finish();

@@ -177,6 +177,20 @@ TEST_CASE("what is sent by UDP has magic, count, rising sequence and values") {
   CHECK(second.substr(24) == bytes_of(0.25));
 }
 
+TEST_CASE("a device by UDP is ready once a packet of its own has come since the start") {
+  const std::uint16_t port = free_port();
+  const Peer peer(port);
+  OpenDevice device = opened("udp", {{"listen", std::to_string(port)}, {"inputs", "force in N"}});
+  peer.send(packet(1, {1.0}));
+  start(device, {});
+  CHECK_FALSE(device.is_ready());
+  peer.send("SWU?");
+  CHECK_FALSE(device.is_ready());
+  peer.send(packet(2, {2.0}));
+  CHECK(read_until(device, 2.0) == std::vector{2.0});
+  CHECK(device.is_ready());
+}
+
 TEST_CASE("values by UDP that are older than stated are stale, and a restarted sender is taken then") {
   const std::uint16_t port = free_port();
   const Peer peer(port);
@@ -278,7 +292,9 @@ TEST_CASE("two processes share memory: the client has the channels of the host, 
   CHECK(std::string(client.outputs()[0].name) + client.outputs()[0].unit == "currentA");
   start(client, {0.25});
   const double seen[] = {1.0, 2.0}, current = 0.5;
+  CHECK_FALSE(client.is_ready());
   CHECK(host->write(seen) == STEPWIRE_OK);
+  CHECK(client.is_ready());
   std::vector<double> values(2);
   CHECK(client.read(values.data()) == STEPWIRE_OK);
   CHECK(values == std::vector{1.0, 2.0});

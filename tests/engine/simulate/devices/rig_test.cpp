@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <thread>
 
 #include "engine/base/table/table_file.hpp"
 #include "engine/simulate/devices/hosted_plant.hpp"
@@ -141,6 +142,55 @@ TEST_CASE("a record that has ended ends the use of the devices, unless its last 
     CHECK(one.rig->device().healthy());
     one.read();
     CHECK_FALSE(one.rig->device().healthy());  // an end is more than an old value
+  }
+}
+
+namespace {
+
+/// Memory that the other side of a rig shares, and the rig file for it.
+struct Shared {
+  std::string name = "stepwire-rig-test-" + std::to_string(::getpid());
+  driver::OpenDevice host{
+      driver::load_driver(driver::driver_file("shared")),
+      {{"name", name}, {"role", "host"}, {"inputs", "coil in A"}, {"outputs", "hand in N"}}};
+  Scratch folder;
+  std::string file(const std::string& rest) const {
+    return folder.file("rig.yaml",
+                       "devices: {plant: {driver: shared, name: " + name +
+                           "}}\ninputs: {force: {device: plant, channel: hand}}\n"
+                           "outputs: {current: {device: plant, channel: coil, limits: [0 A, 1 A]}}\n" +
+                           rest);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a loop begins with the first values of its devices, and shows its safe values until then") {
+  for (const std::string guard : {"guard: false\n", "guard: true\n"}) {
+    Shared other;
+    const double zero = 0.0;
+    other.host.start(10'000'000, &zero);
+    std::thread later([&] {
+      double coil = 0.0;
+      while (coil != 0.1) other.host.read(&coil);
+      const double hand = 7.0;
+      other.host.write(&hand);
+    });
+    Rig rig(other.file(guard), plan_text(diagram_yaml), 0.01);
+    later.join();
+    std::vector<double> inputs{3.0, 0.0, 0.0};
+    rig.device().read(inputs.data());
+    CHECK(inputs[0] == 7.0);
+  }
+}
+
+TEST_CASE("a device that gives no value in time is named") {
+  for (const std::string guard : {"guard: false\n", "guard: true\n"}) {
+    Shared other;
+    const double zero = 0.0;
+    other.host.start(10'000'000, &zero);
+    CHECK_THROWS_WITH(Rig(other.file("wait: 50 ms\n" + guard), plan_text(diagram_yaml), 0.01),
+                      Contains("plant: no value has come within 0.05 s"));
   }
 }
 
