@@ -97,7 +97,8 @@ EventStepper::EventStepper(BoundBlocks& blocks, Participants& who, Stepper& step
       after_(before_ + plan_.crossing_count),
       past_(&report(solve::EventReport::count), plan_.crossing_count),
       looks_always_(plan_.diagram.events.looks_always()),
-      states_change_(plan_.updates_continuous || who.guards) {}
+      states_change_(plan_.updates_continuous || who.guards),
+      starts_change_(states_change_ || looks_.may_change()) {}
 
 const double* EventStepper::stopped() const {
   static constexpr double never = 0.0;
@@ -122,6 +123,10 @@ EventCount EventStepper::count() const {
 }
 
 bool EventStepper::look_at_start() {
+  if (knows_end_ && !starts_change_) [[likely]] {
+    std::swap(before_, after_);
+    return !was_eventful_;
+  }
   const plan::Layout& layout = plan_.layout;
   const double* states = values_ + layout.states;
   if (!knows_end_ ||

@@ -79,6 +79,7 @@ class EventStepper {
   const solve::CrossingPast past_;
   const bool looks_always_;   ///< true if each step is examined
   const bool states_change_;  ///< true if states change outside of the solver
+  const bool starts_change_;  ///< true if crossing functions may change between two steps
   bool knows_end_ = false;    ///< true while after_ and end_states_ are those of the last step
   bool was_eventful_ = true;  ///< true if the last step was
 };
