@@ -225,6 +225,34 @@ TEST_CASE("all of many renamed blocks are found, also where each has another val
   }
 }
 
+// Blocks of one kind are alike until the names of their neighbours are known.
+TEST_CASE("one changed value among many renamed blocks exchanges no names") {
+  const auto pairs = [](const char* prefix, int changed) {
+    std::string text = "stepwire: 1\nstep: 1 ms\nstop: 1 s\nblocks:\n";
+    for (int i = 0; i < 150; ++i)
+      text += fmt::format(
+          "  {0}s{1}: {{block: Constant, value: {2}}}\n  {0}g{1}: {{block: Gain, u: {0}s{1}, gain: {3}}}\n",
+          prefix, i, i + 10, i == changed ? 3 : 2);
+    return text;
+  };
+  const Lines found = lines(pairs("a", -1), pairs("b", 70));
+  for (int i = 0; i < 150; ++i) CHECK(std::ranges::count(found, fmt::format("> ag{0} is now bg{0}", i)) == 1);
+  CHECK(found.size() == 301);
+}
+
+TEST_CASE("one changed value in a chain of many equal blocks exchanges no names") {
+  const auto equal = [](char letter, int changed) {
+    std::string text = "stepwire: 1\nstep: 1 ms\nstop: 1 s\nblocks:\n  in: {block: Clock}\n";
+    for (int i = 0; i < 250; ++i)
+      text += fmt::format("  {}{}: {{block: Gain, u: {}, gain: {}}}\n", letter, i,
+                          i == 0 ? "in" : fmt::format("{}{}", letter, i - 1), i == changed ? 3 : 2);
+    return text;
+  };
+  const Lines found = lines(equal('a', -1), equal('b', 120));
+  for (int i = 0; i < 250; ++i) CHECK(std::ranges::count(found, fmt::format("> a{0} is now b{0}", i)) == 1);
+  CHECK(found.size() == 251);
+}
+
 TEST_CASE("many claims are matched by their text, then by their label") {
   std::string before = "claims:\n", after = before;
   for (int i = 0; i < 200; ++i)
