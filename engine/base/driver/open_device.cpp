@@ -135,10 +135,10 @@ OpenDevice::~OpenDevice() {
 }
 
 bool OpenDevice::is_ready() {
-  const int ready = driver_.ready ? driver_.ready(device_) : 1;
-  if (ready < 0)
+  const int state = ready();
+  if (state < 0)
     throw io::EnvironmentError(fmt::format("driver {}: the device does not answer", driver_.name));
-  return ready > 0;
+  return state > 0;
 }
 
 void OpenDevice::start(std::int64_t period, const double* safe) {

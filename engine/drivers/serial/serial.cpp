@@ -2,6 +2,7 @@
 // the number of values and a sequence number, one byte each, and the values as floats or doubles. Its end is
 // a CRC-16 (polynomial 1021, begin FFFF) of all but the first two bytes.
 #include <fcntl.h>
+#include <sys/file.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -51,7 +52,7 @@ class Line {
   Line(const std::string& path, speed_t speed)
       : file_(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
     termios settings{};
-    if (file_ < 0 || ::tcgetattr(file_, &settings) != 0) fail(path);
+    if (file_ < 0 || ::flock(file_, LOCK_EX | LOCK_NB) != 0 || ::tcgetattr(file_, &settings) != 0) fail(path);
     ::cfmakeraw(&settings);
     settings.c_cflag |= CLOCAL | CREAD;
     ::cfsetspeed(&settings, speed);

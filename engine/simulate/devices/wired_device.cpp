@@ -69,10 +69,14 @@ std::vector<std::string> WiredDevice::limited() const {
 }
 
 /// Waits for the next sample. Samples that have passed before make the loop late by their number of periods.
-/// Without a sample the loop goes on after the limit, and its next read fails.
+/// Without a sample the loop goes on once the values of the device are stale, and its next read fails.
 void DeviceClock::sleep_until(std::int64_t deadline) {
   constexpr std::int64_t limit = 1'000'000'000;
-  const int samples = device_.wait(std::max(limit, 2 * period_));
+  const std::int64_t end = clock_.now() + std::max(limit, 2 * period_);
+  int samples = 0;
+  while ((samples = device_.wait(2 * period_)) == 0 && clock_.now() < end &&
+         device_.read(values_.data()) == STEPWIRE_OK) {
+  }
   ahead_ = deadline - clock_.now() + std::max(0, samples - 1) * period_;
 }
 

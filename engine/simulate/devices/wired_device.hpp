@@ -46,7 +46,8 @@ class WiredDevice : public realtime::Device {
 /// Clock of a loop whose deadlines are the samples of a device.
 class DeviceClock : public realtime::LoopClock {
  public:
-  DeviceClock(driver::OpenDevice& device, std::int64_t period) : device_(device), period_(period) {}
+  DeviceClock(driver::OpenDevice& device, std::int64_t period)
+      : device_(device), period_(period), values_(device.inputs().size()) {}
 
   std::int64_t now() override { return clock_.now() + ahead_; }
   void sleep_until(std::int64_t deadline) override;
@@ -54,6 +55,7 @@ class DeviceClock : public realtime::LoopClock {
  private:
   driver::OpenDevice& device_;
   std::int64_t period_;
+  std::vector<double> values_;
   realtime::SystemClock clock_;
   std::int64_t ahead_ = 0;  ///< of the system's clock
 };

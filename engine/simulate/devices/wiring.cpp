@@ -16,7 +16,8 @@ namespace {
 using unit::Dimension;
 
 std::int64_t nanoseconds(double seconds) {
-  return std::llround(seconds * 1e9);
+  constexpr double longest = 1e9;  // 32 years
+  return std::llround(std::min(seconds, longest) * 1e9);
 }
 
 template <class All>
@@ -183,12 +184,17 @@ class Wirer {
     limit_input(one, line, dimension, all_.limits.inputs[place->index]);
   }
 
+  /// Of two inputs of one channel the stricter limits hold.
   void limit_input(const InputRequest& one, const Line& line, const std::optional<Dimension>& dimension,
                    guard::InputLimits& limits) {
     const std::string subject = "inputs." + one.port;
-    if (one.range) set_range(*one.range, line, dimension, subject + ".range", limits.least, limits.most);
-    limits.rate = rate_of(one.rate, dimension, subject) / std::abs(line.scale);
-    limits.stuck = nanoseconds(one.stuck);
+    double least = -guard::no_limit, most = guard::no_limit;
+    if (one.range) set_range(*one.range, line, dimension, subject + ".range", least, most);
+    limits.least = std::max(limits.least, least);
+    limits.most = std::min(limits.most, most);
+    limits.rate = std::min(limits.rate, rate_of(one.rate, dimension, subject) / std::abs(line.scale));
+    const std::int64_t stuck = nanoseconds(one.stuck);
+    if (stuck > 0) limits.stuck = limits.stuck > 0 ? std::min(limits.stuck, stuck) : stuck;
   }
 
   /// Sets the limits of a channel from a range of its port.

@@ -71,7 +71,7 @@ void GuardProcess::await_turn() {
   const std::int64_t period = call_.limits.period, until = next_turn();
   const std::int64_t expected = watch_.next_check() - call_.limits.late + period;
   const std::int64_t margin = std::min(longest_look, period / 4);
-  if (active_ && until > expected - margin) {
+  if (expects_command() && until > expected - margin) {
     if (monotonic() < expected - margin) link_.await_beat(seen_, expected - margin);
     link_.look_for_beat(seen_, std::min(until, expected + margin));
   }
@@ -81,7 +81,7 @@ void GuardProcess::await_turn() {
 /// Inputs are read three quarters of a period after a command, so that they are new when the loop wakes.
 /// Where the wake-ups for that come too late, commands do not put a read off for more than two periods.
 std::int64_t GuardProcess::next_turn() const {
-  return active_ ? std::min(next_read_, watch_.next_check() + 1) : next_read_;
+  return expects_command() ? std::min(next_read_, watch_.next_check() + 1) : next_read_;
 }
 
 void GuardProcess::turn(std::int64_t now) {

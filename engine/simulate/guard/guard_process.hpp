@@ -21,6 +21,8 @@ class GuardProcess {
   void serve();
 
  private:
+  /// After a trip no command counts, and no time is a deadline.
+  bool expects_command() const { return active_ && !watch_.tripped(); }
   void await_turn();
   void turn(std::int64_t now);
   void take_command(std::int64_t now);

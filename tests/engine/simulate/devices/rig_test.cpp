@@ -279,4 +279,81 @@ record: [slide]
   }
 }
 
+namespace {
+
+const std::string slide_yaml = R"(inputs: {push: {default: 3}}
+outputs: {place: {signal: slide, safe: 0}}
+blocks: {slide: {block: Gain, gain: 1, u: push}}
+record: [slide]
+)";
+
+PlantCall shared_plant() {
+  PlantCall call;
+  call.driver = "shared";
+  call.settings = {{"name", "stepwire-plant-test-" + std::to_string(::getpid())}};
+  call.inhibit = 20.0;
+  return call;
+}
+
+driver::OpenDevice client_of(const PlantCall& call) {
+  return {driver::load_driver(driver::driver_file("shared")),
+          {{"name", call.settings.front().second}, {"stale", "20 s"}}};
+}
+
+}  // namespace
+
+TEST_CASE("the inputs of a rig have their defaults before the first command") {
+  const auto plan = plan_text(slide_yaml);
+  const PlantCall call = shared_plant();
+  HostedPlant plant(call, plan, 0.01);
+  double push = 3.0;
+  plant.read(&push);
+  CHECK(push == 3.0);
+  driver::OpenDevice client = client_of(call);
+  const double safe = 0.0, command = 0.5;
+  client.start(10'000'000, &safe);
+  client.write(&command);
+  plant.read(&push);
+  CHECK(push == 0.5);
+}
+
+TEST_CASE("sensors with a latency show the first value until the next one has come") {
+  const auto plan = plan_text(slide_yaml);
+  PlantCall call = shared_plant();
+  call.latency = 0.02;
+  HostedPlant plant(call, plan, 0.01);
+  driver::OpenDevice client = client_of(call);
+  const double safe = 0.0;
+  client.start(10'000'000, &safe);
+  std::vector<double> seen;
+  for (const double place : {5.0, 6.0, 7.0, 8.0, 9.0}) {
+    double push = 0.0;
+    plant.read(&push);
+    plant.write(&place);
+    client.read(&seen.emplace_back());
+  }
+  CHECK(seen == std::vector{5.0, 5.0, 5.0, 6.0, 7.0});
+}
+
+TEST_CASE("shared memory has one client at a time") {
+  const auto plan = plan_text(slide_yaml);
+  const PlantCall call = shared_plant();
+  HostedPlant plant(call, plan, 0.01);
+  { const driver::OpenDevice first = client_of(call); }
+  const driver::OpenDevice client = client_of(call);
+  CHECK_THROWS_WITH(client_of(call), Contains("is in use by another loop"));
+}
+
+TEST_CASE("of two inputs of one channel the stricter limits hold") {
+  Opened one(
+      "inputs:\n  force: {device: card, channel: volt, scale: 1 N/V, rate: 10 N/s}\n"
+      "  arm.1: {device: card, channel: volt, scale: 1 rad/V}\nguard: false\n");
+  one.open();
+  one.read();
+  CHECK(one.rig->device().healthy());
+  one.read();
+  CHECK_FALSE(one.rig->device().healthy());
+  CHECK_THAT(one.rig->trouble(), Contains("card.volt"));
+}
+
 }  // namespace stepwire::devices
