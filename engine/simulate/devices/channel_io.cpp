@@ -2,13 +2,17 @@
 
 #include <sstream>
 
+#include "engine/base/io/environment_error.hpp"
+
 namespace stepwire::devices {
 
-DirectIo::DirectIo(const Wiring& wiring, guard::Bank& bank) : bank_(bank), watch_(wiring.limits) {
+DirectIo::DirectIo(const Wiring& wiring, guard::Bank& bank, const std::atomic<bool>* interrupt)
+    : bank_(bank), watch_(wiring.limits) {
   bank_.use(wiring.uses);
   bank_.start(wiring.limits.period, watch_.safe());
   bank_.safe();
-  bank_.await_values(wiring.wait, [] { return true; });
+  bank_.await_values(wiring.wait, [&] { return !(interrupt && *interrupt); });
+  if (interrupt && *interrupt) throw io::EnvironmentError(guard::Bank::interrupted);
 }
 
 DirectIo::~DirectIo() {
@@ -44,8 +48,8 @@ std::vector<std::string> DirectIo::finish() {
   return bank_.reports();
 }
 
-GuardedIo::GuardedIo(const Wiring& wiring, int priority)
-    : guard_({wiring.devices, wiring.uses, wiring.wait, wiring.limits, priority}) {}
+GuardedIo::GuardedIo(const Wiring& wiring, int priority, const std::atomic<bool>* interrupt)
+    : guard_({wiring.devices, wiring.uses, wiring.wait, wiring.limits, priority}, interrupt) {}
 
 std::vector<std::string> GuardedIo::finish() {
   std::vector<std::string> lines;

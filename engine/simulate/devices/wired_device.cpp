@@ -88,14 +88,15 @@ std::unique_ptr<guard::Bank> opened(const IoRequest& request) {
 
 }  // namespace
 
-Rig::Rig(const IoRequest& request, const Ports& ports, double period, int priority) {
+Rig::Rig(const IoRequest& request, const Ports& ports, double period, int priority,
+         const std::atomic<bool>* interrupt) {
   bank_ = opened(request);
   wiring_ = wire(request, ports, *bank_, period);
   if (wiring_.guarded) {
     bank_.reset();  // the guard opens them
-    io_ = std::make_unique<GuardedIo>(wiring_, priority);
+    io_ = std::make_unique<GuardedIo>(wiring_, priority, interrupt);
   } else {
-    io_ = std::make_unique<DirectIo>(wiring_, *bank_);
+    io_ = std::make_unique<DirectIo>(wiring_, *bank_, interrupt);
   }
   device_ = std::make_unique<WiredDevice>(wiring_, *io_);
   if (wiring_.clock)

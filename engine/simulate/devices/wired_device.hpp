@@ -65,9 +65,12 @@ class Rig : public LoopRig {
  public:
   /// Opens the devices of a rig file and checks it against the diagram; then starts them. Throws Error and
   /// EnvironmentError. `period` is that of the loop [s]; `priority` is that of a guard, see GuardedIo.
-  Rig(const std::string& file, const plan::Plan& plan, double period, int priority = 0)
-      : Rig(read_io(file), Ports::of(plan), period, priority) {}
-  Rig(const IoRequest& request, const Ports& ports, double period, int priority = 0);
+  /// Once `interrupt` is true it waits no longer for the first values of the devices.
+  Rig(const std::string& file, const plan::Plan& plan, double period, int priority = 0,
+      const std::atomic<bool>* interrupt = nullptr)
+      : Rig(read_io(file), Ports::of(plan), period, priority, interrupt) {}
+  Rig(const IoRequest& request, const Ports& ports, double period, int priority = 0,
+      const std::atomic<bool>* interrupt = nullptr);
 
   realtime::Device& device() override { return *device_; }
   realtime::LoopClock* clock() override { return clock_.get(); }

@@ -39,6 +39,7 @@ class Bank {
 
   /// Starts all devices, with a safe value for each output. Throws EnvironmentError.
   void start(std::int64_t period, const double* safe);
+  static constexpr const char* interrupted = "interrupted before all devices had given a value";
   /// Waits until each device with wired inputs has a value, or `goes_on` is false, at most for this time
   /// [ns]. Repeats the safe values until then, since the other side may wait for them. Throws
   /// EnvironmentError with the devices that are silent.
