@@ -203,6 +203,16 @@ TEST_CASE("a block of another type has the values of both that differ, also defa
   CHECK(lines(derivative, lag) == Lines{"~ f: Derivative -> Lag", "~ f.tau: 0.001 s (default) -> 1 s"});
 }
 
+TEST_CASE("a share and a number are other values where a key takes both, and one value elsewhere") {
+  const auto text = [](const std::string& within, const std::string& gain) {
+    return "stepwire: 1\nstep: 1 ms\nstop: 1 s\nblocks:\n  k: {block: Constant, value: 6 N}\n"
+           "  f: {block: Pulse, amplitude: 6 N, period: 1 s, width: " +
+           gain + "}\nclaims: [{that: x, final: f, equals: 6 N, within: " + within + "}]\n";
+  };
+  CHECK(lines(text("0.01", "0.5"), text("1 %", "0.5")).size() == 1);
+  CHECK(lines(text("1 %", "0.5"), text("1%", "50 %")).empty());
+}
+
 TEST_CASE("a file that cannot be read is refused") {
   CHECK_THROWS_AS(compared("stepwire: [", loop_yaml), yaml::Error);
 }
