@@ -181,6 +181,16 @@ TEST_CASE("a block that moved into a part or out of it has one line") {
   CHECK(std::ranges::count(out, "> holder.spring moved to leaf") == 1);
 }
 
+TEST_CASE("two equal blocks that moved into a part are there under their own names") {
+  const std::string head = "stepwire: 1\nstep: 1 ms\nstop: 1 s\nblocks:\n  k: {block: Constant, value: 1}\n",
+                    twice = "  g1: {block: Gain, u: k, gain: 2}\n  g2: {block: Gain, u: g1, gain: 2}\n";
+  const std::string amplifier = "stepwire: 1\ninputs: {k: {}}\noutputs: {y: g2}\nblocks:\n" + twice;
+  const Lines found = lines(compared(head + twice, head + "  amp: {diagram: amplifier.yaml, k: k}\n", {},
+                                     {{"amplifier.yaml", amplifier}}));
+  CHECK(std::ranges::count(found, "> g1 moved to amp.g1") == 1);
+  CHECK(std::ranges::count(found, "> g2 moved to amp.g2") == 1);
+}
+
 TEST_CASE("the result has sections, values and places as data") {
   const Difference found = compared(loop_yaml, with(loop_yaml, "400 N/m", "600 N/m"));
   REQUIRE(found.files.size() == 1);
