@@ -77,7 +77,25 @@ void DeviceClock::sleep_until(std::int64_t deadline) {
   while ((samples = device_.wait(2 * period_)) == 0 && clock_.now() < end &&
          device_.read(values_.data()) == STEPWIRE_OK) {
   }
-  ahead_ = deadline - clock_.now() + std::max(0, samples - 1) * period_;
+  last_ = clock_.now();
+  if (first_ == 0)
+    first_ = last_;
+  else
+    samples_ += samples;
+  ahead_ = deadline - last_ + std::max(0, samples - 1) * period_;
+}
+
+std::string DeviceClock::other_period() const {
+  constexpr std::int64_t fewest = 10;
+  constexpr double part = 0.05;
+  const double mean =
+      static_cast<double>(last_ - first_) / static_cast<double>(std::max<std::int64_t>(1, samples_));
+  const auto period = static_cast<double>(period_);
+  if (samples_ < fewest || std::abs(mean - period) <= part * period) return "";
+  return fmt::format(
+      "samples of the clock came every {:.4g} ms, and a period of the loop is {:.4g} ms: the times of the "
+      "diagram are not those of the clock; --rate {:.4g}",
+      mean * 1e-6, period * 1e-6, 1e9 / mean);
 }
 
 namespace {
@@ -105,6 +123,8 @@ Rig::Rig(const IoRequest& request, const Ports& ports, double period, int priori
 
 std::vector<std::string> Rig::finish() {
   std::vector<std::string> lines = io_->finish();
+  if (clock_)
+    if (std::string line = clock_->other_period(); !line.empty()) lines.push_back(std::move(line));
   for (std::string& line : device_->limited()) lines.push_back(std::move(line));
   return lines;
 }

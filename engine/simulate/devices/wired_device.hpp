@@ -51,6 +51,9 @@ class DeviceClock : public realtime::LoopClock {
 
   std::int64_t now() override { return clock_.now() + ahead_; }
   void sleep_until(std::int64_t deadline) override;
+  /// Returns a line where the samples have another period than the loop, whose times are then not those of
+  /// the device; "" otherwise.
+  std::string other_period() const;
 
  private:
   driver::OpenDevice& device_;
@@ -58,6 +61,8 @@ class DeviceClock : public realtime::LoopClock {
   std::vector<double> values_;
   realtime::SystemClock clock_;
   std::int64_t ahead_ = 0;  ///< of the system's clock
+  std::int64_t first_ = 0, last_ = 0,
+               samples_ = 0;  ///< times of the first and the last sample, samples since
 };
 
 /// Opened and checked rig of a loop.

@@ -8,9 +8,11 @@
 #include <unistd.h>
 #include <catch2/catch.hpp>
 #include <cstring>
+#include <thread>
 
 #include "engine/base/driver/open_device.hpp"
 #include "engine/base/io/environment_error.hpp"
+#include "engine/simulate/devices/wired_device.hpp"
 
 namespace stepwire::driver {
 namespace {
@@ -219,6 +221,24 @@ TEST_CASE("a device by UDP can be the clock: it waits for packets and counts tho
   CHECK(device.wait(5000 * ms) == 1);
   peer.send(packet(4, {1.0}));
   CHECK(device.wait(5000 * ms) == 3);
+}
+
+TEST_CASE("samples of a clock with another period than the loop are told") {
+  const std::uint16_t port = free_port();
+  const Peer peer(port);
+  OpenDevice device =
+      opened("udp", {{"listen", std::to_string(port)}, {"inputs", "force in N"}, {"stale", "20 s"}});
+  start(device, {});
+  std::thread sender([&] {
+    for (std::uint64_t i = 1; i <= 15; ++i) {
+      peer.send(packet(i, {1.0}));
+      ::usleep(4'000);
+    }
+  });
+  devices::DeviceClock clock(device, ms);
+  for (std::int64_t tick = 1; tick <= 13; ++tick) clock.sleep_until(clock.now() + ms);
+  sender.join();
+  CHECK_THAT(clock.other_period(), Contains("a period of the loop is 1 ms"));
 }
 
 TEST_CASE("wrong settings of UDP are refused in a sentence") {
