@@ -105,7 +105,7 @@ void RunningGuard::rescue() noexcept {
   if (finishing_ || gone_.exchange(true)) return;
   ::kill(process_, SIGKILL);
   siginfo_t change{};
-  for (int looks = 0; looks < 100; ++looks) {
+  for (int looks = 0; looks < 2000; ++looks) {
     const int result = ::waitid(P_PID, static_cast<id_t>(process_), &change, WEXITED | WNOHANG | WNOWAIT);
     if (result != 0 || change.si_pid != 0) break;
     ::usleep(50);

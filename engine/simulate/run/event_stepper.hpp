@@ -77,9 +77,9 @@ class EventStepper {
   std::vector<double> end_states_, tick_states_;  ///< at the end of the last step, before updates of a tick
   std::vector<double> scratch_;                   ///< of EventTask
   const solve::CrossingPast past_;
-  const bool looks_always_;   ///< true if each step is examined
-  const bool states_change_;  ///< true if states change outside of the solver
-  const bool starts_change_;  ///< true if crossing functions may change between two steps
+  const bool looks_always_;   ///< True if each step is examined.
+  const bool states_change_;  ///< True if states change outside of the solver.
+  const bool starts_change_;  ///< True if crossing functions may change between two steps.
   bool knows_end_ = false;    ///< true while after_ and end_states_ are those of the last step
   bool was_eventful_ = true;  ///< true if the last step was
 };
