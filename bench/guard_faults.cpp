@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -112,11 +113,11 @@ class Host {
     }
     return now() - begin;
   }
-  /// Returns the longest time within a second in which the current was neither safe nor another [s].
-  double longest_hold() {
+  /// Returns the longest time within a duration in which the current was neither safe nor another [s].
+  double longest_hold(double duration = 1.0) {
     const double begin = now();
     double last = look(), changed = begin, hold = 0.0;
-    while (now() - begin < 1.0) {
+    while (now() - begin < duration) {
       const double current = look();
       if (current != last) changed = now();
       last = current;
@@ -271,18 +272,33 @@ void print(const char* name, std::vector<double> times, double period) {
   std::fflush(stdout);
 }
 
-double time_of(const Fault& fault, const Way& way, const Place& place) {
-  Host host(way);
-  const pid_t loop = start(place);
-  if (std::isinf(host.until(false))) fmt::print(stderr, "{}: a loop has not begun\n", fault.name);
-  host.longest_hold();  // it runs in
-  const double time = fault.time(host, loop);
+/// Ends a loop and its guard, so that an exclusive device is free.
+void end(pid_t loop) {
   const pid_t guard = guard_of(loop);
   ::kill(loop, SIGKILL);
   ::waitpid(loop, nullptr, 0);
   if (guard > 0) ::kill(guard, SIGCONT);
-  while (guard > 0 && ::kill(guard, 0) == 0) ::usleep(1000);  // an exclusive device is free then
+  while (guard > 0 && ::kill(guard, 0) == 0) ::usleep(1000);
+}
+
+/// Returns the time of a fault; std::nullopt where the loop has ended before it.
+std::optional<double> time_of_try(const Fault& fault, const Way& way, const Place& place) {
+  Host host(way);
+  const pid_t loop = start(place);
+  if (std::isinf(host.until(false))) fmt::print(stderr, "{}: a loop has not begun\n", fault.name);
+  host.longest_hold(0.25);  // it runs in
+  std::optional<double> time;
+  if (guard_of(loop) > 0) time = fault.time(host, loop);
+  end(loop);
   return time;
+}
+
+/// Starts another loop in place of one that has ended before its fault.
+double time_of(const Fault& fault, const Way& way, const Place& place) {
+  for (;;) {
+    if (const auto time = time_of_try(fault, way, place)) return *time;
+    fmt::print(stderr, "{}: a loop has ended before its fault\n", fault.name);
+  }
 }
 
 void write_files(const std::string& folder, double period) {

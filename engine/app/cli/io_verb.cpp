@@ -85,7 +85,7 @@ ExitCode watch_inputs(const IoCall& call) {
   if (!request.late) request.late = 10.0 * period;  // people need no deadlines
   const devices::Ports ports = devices::Ports::of(request);
   wanted_outputs(call, ports);
-  devices::Rig rig(request, ports, period);
+  devices::Rig rig(request, ports, period, 0, &interrupted());
   step_all(call, rig, ports);
   const std::string trouble = rig.trouble();
   for (const std::string& line : rig.finish()) say("  {}\n", text::visible(line));

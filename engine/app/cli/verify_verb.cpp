@@ -19,6 +19,7 @@ namespace {
 ExitCode verify_claims(const std::string& folder, const Registry& registry) {
   const session::Rejudged claims = session::rejudge(folder, registry, {&interrupted(), {}, {}, {}});
   if (claims.interrupted) return ExitCode::interrupted;
+  if (!claims.note.empty()) say("{}: {}\n", folder, claims.note);
   if (!claims.left_out.empty())
     say("{}: claims and tables are not computed again: {}\n", folder, claims.left_out);
   if (claims.difference.empty()) return ExitCode::done;

@@ -170,8 +170,8 @@ class Comparer::OfFiles {
       if (old_blocks.find(unmarked(block.key))) continue;
       if (!homes)
         homes = homes_in_parts(before, new_blocks, comparer_.before_texts_, comparer_.before_, before_.file);
-      if (const auto home = homes->find(content_of_block(block)); home != homes->end()) {
-        moved(block, home->second, unmarked(block.key), nullptr, &block);
+      if (const std::string home = take_home(*homes, block); !home.empty()) {
+        moved(block, home, unmarked(block.key), nullptr, &block);
         continue;
       }
       add(Kind::added, "blocks", block.key, nullptr, &block);
@@ -186,8 +186,8 @@ class Comparer::OfFiles {
       if (new_blocks.find(unmarked(block.key))) continue;
       if (!homes)
         homes = homes_in_parts(after, old_blocks, comparer_.after_texts_, comparer_.after_, after_.file);
-      if (const auto home = homes->find(content_of_block(block)); home != homes->end())
-        moved(block, unmarked(block.key), home->second, &block, nullptr);
+      if (const std::string home = take_home(*homes, block); !home.empty())
+        moved(block, unmarked(block.key), home, &block, nullptr);
       else
         add(Kind::removed, "blocks", block.key, &block, nullptr);
     }
@@ -220,8 +220,20 @@ class Comparer::OfFiles {
     changes_.push_back(std::move(change));
   }
 
-  /// Blocks in parts by their type and values, under the name by which the file has them: "rig.spring".
-  using Homes = std::unordered_map<std::string, std::string>;
+  /// Blocks in parts by their type and values, under the names by which the file has them: "rig.spring".
+  using Homes = std::unordered_map<std::string, std::vector<std::string>>;
+
+  /// Takes the place of a block in a part: under its own name, else the first one; "" without any.
+  static std::string take_home(Homes& homes, const Fact& block) {
+    const auto found = homes.find(content_of_block(block));
+    if (found == homes.end() || found->second.empty()) return "";
+    const std::string end = "." + unmarked(block.key);
+    auto place = std::ranges::find_if(found->second, [&](const auto& one) { return one.ends_with(end); });
+    if (place == found->second.end()) place = found->second.begin();
+    std::string home = std::move(*place);
+    found->second.erase(place);
+    return home;
+  }
 
   /// Returns the blocks in the parts of a file that are unknown to the other side.
   static Homes homes_in_parts(const Fact& users, const PartsByKey& others, Texts& texts, FactReader& reader,
@@ -236,7 +248,7 @@ class Comparer::OfFiles {
       if (!texts.find(part)) continue;
       const FileFacts inside = reader.read(part);
       for (const Fact& one : section_of(inside.root, "blocks").parts)
-        homes.emplace(content_of_block(one), unmarked(user.key) + "." + unmarked(one.key));
+        homes[content_of_block(one)].push_back(unmarked(user.key) + "." + unmarked(one.key));
     }
     return homes;
   }

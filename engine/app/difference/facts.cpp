@@ -250,11 +250,13 @@ class FactReader::Reading {
       return fact;
     }
     if (quantity) fact.number = quantity->value;
+    // Keys such as `within` take a share of a value, or a number in its unit: 1 % is not 0.01.
+    const bool of_share = !demanded_ && node.text.ends_with('%');
     if (node.quoted && of.is_value && (unit::parse_quantity(node.text) || is_truth(node.text)))
       fact.canonical = "\"" + node.text + "\"";
     else
       fact.canonical = canonical_text(node.text, {.names = names_,
-                                                  .demanded = of.demanded,
+                                                  .demanded = of_share ? std::nullopt : of.demanded,
                                                   .shorten = of.is_source,
                                                   .literal = literal,
                                                   .formula = of.is_value && !of.is_source,

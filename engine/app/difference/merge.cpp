@@ -245,9 +245,9 @@ class Merge {
     read(base_, base);
     read(ours_, ours);
     read(theirs_, theirs);
-    equalise_names();
     Merged result;
     try {
+      equalise_names();
       result = merged(base, ours, theirs);
     } catch (const language::EditRefused& refusal) {
       result = {.text = ours, .conflicts = {}, .faults = {}};
@@ -324,13 +324,8 @@ class Merge {
     if (names.empty()) return;
     const auto text = with_new_names(registry_, side.texts, path_, names);
     if (!text)
-      throw yaml::Error(
-          yaml::Fault{{path_, {}},
-                      names.begin()->first.second,
-                      fmt::format("cannot be renamed to '{}' in all versions; rename it by hand in one "
-                                  "of them before the merge",
-                                  names.begin()->second),
-                      {}});
+      throw language::EditRefused(fmt::format("'{}' cannot be renamed to '{}' in all versions",
+                                              names.begin()->first.second, names.begin()->second));
     side.texts = side.texts.with(path_, *text);
     side.facts = FactReader(registry_, side.texts).read(path_);
   }

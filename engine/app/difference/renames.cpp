@@ -1,26 +1,28 @@
 // Renames. Problem: a name that only the old file has and one that only the new file has may be one thing.
 // Idea: each such name has features, which are the facts of its definition and the facts that use it, with
-// the name itself replaced by '*' and other names without a partner by '?'. A pair is as similar as the part
-// of features that it shares. The most similar pair becomes a rename, the features are computed again with
-// it, and so on until no pair shares half of its features. A chain of renamed blocks is thus found from its
-// known end. Cost: one walk through both files. A round computes the features of the neighbours of new pairs
-// again. Names of equal features are found by a search; the others are compared each with each.
+// the name itself replaced by '*' and other names without a partner by '?'. Two names that alone have the
+// same features become a rename, and the features of their neighbours are computed again with it. A chain of
+// renamed blocks is thus found from its known end. Without such names, two of which each is the most similar
+// one of the other by itself are taken if they share half of their features, neighbours of known ones first.
+// Names that are alike in all of this have nothing but their order; of many such names those are left out
+// whose number differs. Cost: one walk through both files, and for each pair its neighbours. Names without
+// equal ones are compared each with each, a few times.
 #include "engine/app/difference/renames.hpp"
 
 #include <algorithm>
 #include <array>
-#include <functional>
-#include <ranges>
 #include <set>
 #include <string>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace stepwire::difference {
 namespace {
 
 constexpr double least_similarity = 0.5;
-constexpr std::size_t many_names = 100;    // from which on several pairs are taken at once
-constexpr int rounds_of_many = 8;          // after which each of many names takes its most similar one
+constexpr std::size_t many_names = 100;    // from which on order alone makes no pair
+constexpr int comparisons_of_many = 20;    // each with each
 constexpr double weight_of_unknown = 0.5;  // of a feature with a name that has no partner yet
 
 using Name = std::pair<NameKind, std::string>;
@@ -104,8 +106,13 @@ class Unmatched {
     return open;
   }
 
-  /// Closes names that have found a partner, and gives them its name.
-  void close(const NewNames& pairs) {
+  const OpenName& at(std::size_t index) const { return names_[index]; }
+  std::size_t count() const { return names_.size(); }
+  std::size_t index_of(const Name& name) const { return index_.at(name); }
+
+  /// Closes names that have found a partner, and gives them its name. Returns the names whose features have
+  /// changed by it.
+  std::set<std::size_t> close(const NewNames& pairs) {
     std::set<std::size_t> lines, neighbours;
     for (const auto& [name, to] : pairs) {
       OpenName& one = names_[index_.at(name)];
@@ -117,6 +124,7 @@ class Unmatched {
       lines_[line] = renamed(lines_[line], pairs);
     }
     for (const std::size_t name : neighbours) count_features(names_[name]);
+    return neighbours;
   }
 
  private:
@@ -196,101 +204,194 @@ class Similarities {
   std::unordered_map<std::size_t, std::vector<std::pair<std::size_t, int>>> users_;
 };
 
-/// One round of the search.
-class Round {
+/// Open names of both files, by their features.
+class Twins {
  public:
-  Round(const Unmatched& before, const Unmatched& after, const FeatureNumbers& numbers)
-      : before_(before.names()), after_(after.names()), numbers_(numbers) {}
-
-  bool has_many() const { return before_.size() >= many_names; }
-
-  /// Returns the most similar pair. Of many names all pairs of the greatest similarity are returned. The list
-  /// is empty if no pair is similar enough.
-  NewNames best_pairs() const {
-    NewNames equal = equal_pairs();
-    return equal.empty() ? similar_pairs() : equal;
+  Twins(const Unmatched& before, const Unmatched& after) : sides_{&before, &after} {
+    for (std::size_t side = 0; side < 2; ++side) {
+      places_[side].assign(sides_[side]->count(), all_.end());
+      for (std::size_t i = 0; i < sides_[side]->count(); ++i) add(side, i);
+    }
   }
 
-  /// Returns a partner for each name that has a similar one, the most similar pairs first.
-  NewNames all_pairs() const {
-    const Similarities similarities(after_, numbers_);
-    std::vector<std::pair<double, const OpenName*>> order;
-    for (const OpenName* name : before_) {
-      const std::vector<double> similar = similarities.of(*name);
-      order.emplace_back(similar.empty() ? 0.0 : std::ranges::max(similar), name);
-    }
-    std::ranges::stable_sort(order, std::greater{}, [](const auto& one) { return one.first; });
+  void remove(std::size_t side, std::size_t index) {
+    const Place place = std::exchange(places_[side][index], all_.end());
+    if (place == all_.end()) return;
+    place->second[side].erase(index);
+    note(place);
+  }
+  /// Finds the place of a name whose features have changed.
+  void move(std::size_t side, std::size_t index) {
+    remove(side, index);
+    add(side, index);
+  }
+
+  /// Returns the pairs of names that alone have their features.
+  NewNames take_unique() {
     NewNames pairs;
-    std::vector<bool> is_taken(after_.size(), false);
-    for (const auto& [most, name] : order) {
-      std::vector<double> similar = similarities.of(*name);
-      for (std::size_t i = 0; i < similar.size(); ++i)
-        if (is_taken[i]) similar[i] = 0.0;
-      const auto best = std::ranges::max_element(similar);
-      if (best == similar.end() || *best < least_similarity) continue;
-      const auto other = static_cast<std::size_t>(best - similar.begin());
-      is_taken[other] = true;
-      pairs[name->name] = after_[other]->name.second;
+    for (const Place place : std::exchange(unique_, {}))
+      if (is_pair(place)) add_pairs(place, pairs);
+    return pairs;
+  }
+  /// Returns pairs, in the order of the files, of the first names that are as many in both.
+  NewNames in_order() const {
+    NewNames pairs;
+    for (const Place place : places_[0]) {
+      if (place == end_) continue;
+      if (place->second[0].size() != place->second[1].size()) continue;
+      add_pairs(place, pairs);
+      break;
     }
     return pairs;
   }
 
  private:
-  /// Returns pairs that share all features; of few names the first one.
-  NewNames equal_pairs() const {
-    std::map<std::pair<std::size_t, Features>, std::vector<const OpenName*>> others;
-    for (const OpenName* other : std::ranges::reverse_view(after_))
-      if (!other->features.empty()) others[{other->group, other->features}].push_back(other);
+  using Key = std::pair<std::size_t, Features>;
+  using Members = std::array<std::set<std::size_t>, 2>;
+  using Place = std::map<Key, Members>::iterator;
+
+  static bool is_pair(Place place) { return place->second[0].size() == 1 && place->second[1].size() == 1; }
+  void note(Place place) {
+    if (is_pair(place)) unique_.push_back(place);
+  }
+  void add(std::size_t side, std::size_t index) {
+    const OpenName& name = sides_[side]->at(index);
+    if (name.features.empty()) return;
+    const Place place = all_.try_emplace({name.group, name.features}).first;
+    place->second[side].insert(index);
+    places_[side][index] = place;
+    note(place);
+  }
+  void add_pairs(Place place, NewNames& pairs) const {
+    auto other = place->second[1].begin();
+    for (const std::size_t index : place->second[0])
+      pairs[sides_[0]->at(index).name] = sides_[1]->at(*other++).name.second;
+  }
+
+  std::array<const Unmatched*, 2> sides_;
+  std::map<Key, Members> all_;
+  const Place end_ = all_.end();
+  std::array<std::vector<Place>, 2> places_;  ///< of each name; end_ for a closed one
+  std::vector<Place> unique_;                 ///< those that had one name of each file
+};
+
+/// Comparison of open names of both files, each with each.
+class Comparison {
+ public:
+  using Names = std::vector<const OpenName*>;
+
+  Comparison(Names before, Names after, const FeatureNumbers& numbers)
+      : before_(std::move(before)), after_(std::move(after)), similarities_(after_, numbers) {
+    of_before_.resize(before_.size());
+    of_after_.resize(after_.size());
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+      const std::vector<double> similar = similarities_.of(*before_[i]);
+      for (std::size_t k = 0; k < similar.size(); ++k) {
+        of_before_[i].look(similar[k], k);
+        of_after_[k].look(similar[k], i);
+      }
+    }
+  }
+
+  /// Returns the pairs of which each is the most similar one of the other by itself.
+  NewNames mutual() const {
     NewNames pairs;
-    for (const OpenName* name : before_) {
-      const auto found = others.find({name->group, name->features});
-      if (found == others.end() || found->second.empty()) continue;
-      pairs[name->name] = found->second.back()->name.second;
-      found->second.pop_back();
-      if (!has_many()) break;
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+      const Best& best = of_before_[i];
+      if (best.is_one() && of_after_[best.who].is_one() && of_after_[best.who].who == i)
+        pairs[before_[i]->name] = after_[best.who]->name.second;
     }
     return pairs;
   }
-
-  NewNames similar_pairs() const {
-    const Similarities similarities(after_, numbers_);
-    NewNames best;
-    std::vector<bool> is_taken(after_.size(), false);
-    double most = least_similarity;
-    for (const OpenName* name : before_) {
-      const std::vector<double> similar = similarities.of(*name);
-      for (std::size_t i = 0; i < similar.size(); ++i) {
-        if (similar[i] < most || (similar[i] == most && is_taken[i])) continue;
-        const bool is_further = !best.empty() && similar[i] == most;
-        if (is_further && (!has_many() || best.contains(name->name))) continue;
-        if (!is_further) best.clear(), is_taken.assign(after_.size(), false);
-        most = similar[i];
-        best[name->name] = after_[i]->name.second;
-        is_taken[i] = true;
-      }
-    }
-    return best;
+  /// Returns the first of the most similar pairs.
+  NewNames first() const {
+    const auto most = std::ranges::max_element(of_before_, {}, &Best::similarity);
+    if (most == of_before_.end() || most->similarity < least_similarity) return {};
+    return {
+        {before_[static_cast<std::size_t>(most - of_before_.begin())]->name, after_[most->who]->name.second}};
   }
 
-  std::vector<const OpenName*> before_, after_;
-  const FeatureNumbers& numbers_;
+ private:
+  struct Best {
+    double similarity = 0.0;
+    std::size_t who = 0, count = 0;
+
+    void look(double similar, std::size_t other) {
+      if (similar > similarity) *this = {similar, other, 0};
+      count += similar == similarity ? 1 : 0;
+    }
+    bool is_one() const { return count == 1 && similarity >= least_similarity; }
+  };
+
+  Names before_, after_;
+  Similarities similarities_;
+  std::vector<Best> of_before_, of_after_;
+};
+
+/// Search for renames in two files.
+class Search {
+ public:
+  Search(const Fact& before, const Fact& after)
+      : before_(before, after, numbers_), after_(after, before, numbers_), twins_(before_, after_) {}
+
+  NewNames run() {
+    int left = comparisons_of_many;
+    for (NewNames pairs = twins_.take_unique();; pairs = twins_.take_unique()) {
+      if (pairs.empty()) pairs = compared(left);
+      if (pairs.empty()) return std::move(found_);
+      close(pairs);
+    }
+  }
+
+ private:
+  NewNames compared(int& left) {
+    if (NewNames pairs = near_pairs(); !pairs.empty()) return pairs;
+    const bool has_many = before_.names().size() >= many_names;
+    if (has_many && left-- <= 0) return {};
+    const Comparison comparison(before_.names(), after_.names(), numbers_);
+    NewNames pairs = comparison.mutual();
+    if (pairs.empty()) pairs = has_many ? twins_.in_order() : comparison.first();
+    return pairs;
+  }
+  /// Compares the neighbours of the last pairs.
+  NewNames near_pairs() {
+    Comparison::Names before, after;
+    for (const std::size_t name : std::exchange(near_[0], {}))
+      if (before_.at(name).is_open) before.push_back(&before_.at(name));
+    for (const std::size_t name : std::exchange(near_[1], {}))
+      if (after_.at(name).is_open) after.push_back(&after_.at(name));
+    if (before.empty() || after.empty()) return {};
+    return Comparison(std::move(before), std::move(after), numbers_).mutual();
+  }
+
+  void close(const NewNames& pairs) {
+    NewNames partners;
+    for (const auto& [name, to] : pairs) {
+      const Name partner{name.first, to};
+      found_[name] = partners[partner] = to;
+      twins_.remove(0, before_.index_of(name));
+      twins_.remove(1, after_.index_of(partner));
+    }
+    move(0, before_.close(pairs));
+    move(1, after_.close(partners));
+  }
+
+  void move(std::size_t side, const std::set<std::size_t>& names) {
+    for (const std::size_t name : names) twins_.move(side, name);
+    near_[side].insert(names.begin(), names.end());
+  }
+
+  FeatureNumbers numbers_;
+  Unmatched before_, after_;
+  Twins twins_;
+  std::array<std::set<std::size_t>, 2> near_;  ///< neighbours of pairs that were not compared since
+  NewNames found_;
 };
 
 }  // namespace
 
 NewNames find_renames(const Fact& before, const Fact& after) {
-  FeatureNumbers numbers;
-  Unmatched old_names(before, after, numbers), new_names(after, before, numbers);
-  NewNames found;
-  for (int round = 1;; ++round) {
-    const Round now(old_names, new_names, numbers);
-    const NewNames pairs = now.has_many() && round > rounds_of_many ? now.all_pairs() : now.best_pairs();
-    if (pairs.empty()) return found;
-    NewNames partners;
-    for (const auto& [name, to] : pairs) found[name] = to, partners[{name.first, to}] = to;
-    old_names.close(pairs);
-    new_names.close(partners);
-  }
+  return Search(before, after).run();
 }
 
 }  // namespace stepwire::difference

@@ -251,8 +251,9 @@ std::unique_ptr<devices::LoopRig> rig_of(const LoopCall& call, const plan::Plan&
                                          const LoopSettings& settings, const Monitor& monitor) {
   if (call.plant) return std::make_unique<devices::HostedPlant>(*call.plant, plan, 1.0 / settings.rate);
   if (call.io.empty()) return nullptr;
-  auto rig = std::make_unique<devices::Rig>(call.io, plan, 1.0 / settings.rate,
-                                            std::min(99, settings.policy.fifo.value_or(-1) + 1));
+  auto rig =
+      std::make_unique<devices::Rig>(call.io, plan, 1.0 / settings.rate,
+                                     std::min(99, settings.policy.fifo.value_or(-1) + 1), monitor.interrupt);
   if (monitor.diagnostic)
     for (const std::string& note : rig->notes()) monitor.diagnostic(note);
   return rig;

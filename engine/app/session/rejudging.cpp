@@ -42,6 +42,13 @@ class Folder {
       : folder_(std::move(folder)), registry_(registry), session_(registry, monitor) {}
 
   Rejudged compare() {
+    Rejudged result = compare_all();
+    result.note = head_note_;
+    return result;
+  }
+
+ private:
+  Rejudged compare_all() {
     if (!has("run.json")) return {};
     if (!has("claims.json")) return {path("claims.json") + ": is missing; every run writes it"};
     run_note_.emplace(folder_);
@@ -57,7 +64,6 @@ class Folder {
     return model_.study ? compare_study() : compare_run();
   }
 
- private:
   std::string path(const std::string& name) const { return (std::filesystem::path(folder_) / name).string(); }
   bool has(const std::string& name) const {
     std::error_code none;
@@ -104,6 +110,11 @@ class Folder {
         for (const diagram::Setting& one : RunNote::head_settings(folder_, registry_))
           options.settings.push_back(one);
         model_ = session_.load(file, options);
+        if (model_.hash == text_in(note_, "hash"))
+          head_note_ = fmt::format(
+              "{} has another step, stop or solver than the run, which its call may have set; those of the "
+              "run are used",
+              file);
       }
     } catch (const yaml::Error&) {
       left_out_ = fmt::format("{} with the values of the run cannot be read now", file);
@@ -169,7 +180,7 @@ class Folder {
   Json note_;
   study::StudyWords study_;
   LoadedModel model_;
-  std::string left_out_, difference_;
+  std::string left_out_, difference_, head_note_;
 };
 
 }  // namespace

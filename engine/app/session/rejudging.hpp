@@ -24,6 +24,7 @@ struct Rejudged {
   std::string difference{};  ///< first line that differs, with its place; empty without one
   std::string left_out{};    ///< reason why they were not computed; empty if they were
   bool interrupted = false;
+  std::string note{};  ///< how the file differs from the run, although both may be right; empty if it does not
 };
 
 /// Compares run.json with the flattened diagram of its folder, and with the diagram file of the run. Then the

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
 #include <utility>
 
 #include "engine/app/simulink/flat_model.hpp"
@@ -11,22 +12,31 @@
 namespace stepwire::simulink {
 namespace {
 
-/// Finder of the places of one system that have two meanings.
+/// Finder of the places of one system that have two meanings, or none here.
 class Finder {
  public:
   Finder(const Model& model, const System& system, const std::string& path)
       : model_(model), system_(system), path_(path) {}
 
   std::vector<Note> find() {
+    for (const Block& block : system_.blocks) sids_.insert(block.sid);
     for (const Block& block : system_.blocks) {
       if (text_of(model_, block, "Commented", "off") == "on") continue;
       find_equal_sid(block);
-      if (block.type == "Inport" || block.type == "Outport") find_port(block);
+      if (block.type == "Inport" || block.type == "Outport") {
+        find_port(block);
+        find_sample_time(block, "SampleTime");
+      } else if (text_of(model_, block, "TreatAsAtomicUnit", "off") == "on") {
+        find_sample_time(block, "SystemSampleTime");
+      }
       if (block.type == "EnablePort" || block.type == "TriggerPort" || block.type == "ActionPort")
         if (const Block* first = first_of(block.type, block))
           report(block, fmt::format("is a second {}; '{}' counts alone", block.type, first->name));
     }
-    for (const Line& line : system_.lines) find_second_lines(line);
+    for (const Line& line : system_.lines) {
+      find_second_lines(line);
+      find_loose_ends(line);
+    }
     return std::move(notes_);
   }
 
@@ -66,6 +76,27 @@ class Finder {
                         block.type == "Inport" ? "both get the signal of that port" : "that one is written"));
   }
 
+  /// Blocks without a sample time of their own take that of what they read, and not that of the system or of
+  /// its ports.
+  void find_sample_time(const Block& block, const char* parameter) {
+    const std::string time = on_one_line(text_of(model_, block, parameter, "-1"));
+    if (time == "-1" || time == "0" || time == "inf") return;
+    notes_.push_back(
+        {NoteKind::deviates, path_ + block.name,
+         fmt::format("has the sample time {}, which is not translated; give `every` to the blocks "
+                     "that run at it",
+                     time)});
+  }
+
+  void find_loose_ends(const Line& line) {
+    for (const LineEnd& sink : line.sinks)
+      if (!sids_.contains(sink.sid) && !sink.sid.starts_with("name "))
+        notes_.push_back({NoteKind::fault, path_ + name_of(line.source.sid),
+                          fmt::format("has a line to a block with the SID {}, which the system lacks; it is "
+                                      "left out",
+                                      sink.sid)});
+  }
+
   void find_second_lines(const Line& line) {
     for (const LineEnd& sink : line.sinks)
       if (const auto [found, is_new] = lines_.emplace(std::pair(sink.sid, sink.port), &line); !is_new)
@@ -82,6 +113,7 @@ class Finder {
   const System& system_;
   const std::string& path_;
   std::map<std::string, const Block*> first_;
+  std::set<std::string> sids_;
   std::map<std::pair<std::string, std::string>, const Line*> lines_;
   std::vector<Note> notes_;
 };

@@ -186,7 +186,7 @@ void BlockWriter::check_types() const {
 void BlockWriter::check_sample_time() const {
   const std::string text = this->text("SampleTime", "-1");
   const auto has_every = [](const auto& made) { return made.second.find("every") != nullptr; };
-  if (block_.type == "Constant" || text == "-1" || text == "0" || text == "inf" || flat_.made.empty()) return;
+  if (text == "-1" || text == "0" || text == "inf" || flat_.made.empty()) return;
   if (std::ranges::any_of(flat_.made, has_every)) return;
   const Value time = value("SampleTime", "-1");
   if (time.is_scalar() && (time.cells[0].number <= 0.0 || std::isinf(time.cells[0].number))) return;

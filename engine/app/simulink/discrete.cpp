@@ -50,6 +50,8 @@ void delay(BlockWriter& write) {
   const SampleTime time = write.sample_time();
   const std::string initial = write.block().texts.contains("vinit") ? "vinit" : "InitialCondition";
   if (length == 0.0) return write.output(1, write.source());
+  if (length > 1.0 && static_cast<double>(write.finite(initial, "0").cells.size()) == length)
+    throw Untranslated("its initial values are those of its periods or of the elements of its signal");
   if (time.kind == SampleTime::Kind::discrete) {
     const Cell whole = combined('*', Cell{length}, time.period);
     write.make("Delay").u().key("delay", cell_node(whole)).key("initial", initial, "0").every();

@@ -19,7 +19,7 @@ void constant(BlockWriter& write) {
     return;
   }
   if (is_vector) {
-    write.make("Constant").key("value", value);
+    write.make("Constant").key("value", value).every("SampleTime", "inf");
     return;
   }
   Value by_columns = transposed(value);

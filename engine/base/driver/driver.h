@@ -80,6 +80,8 @@ typedef struct stepwire_driver {
   void (*report)(void* device, char* text, size_t size);
   /* Writes what is plugged in, one line each; "" for nothing. May be NULL. */
   void (*list)(char* text, size_t size);
+  /* Returns 1 once a first value has come since the start, else 0, or -1 on failure. NULL: read has values at once. */
+  int (*ready)(void* device);
 } stepwire_driver;
 
 /* The one function that a driver exports. */

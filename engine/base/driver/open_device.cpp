@@ -134,6 +134,13 @@ OpenDevice::~OpenDevice() {
   driver_.close(device_);
 }
 
+bool OpenDevice::is_ready() {
+  const int state = ready();
+  if (state < 0)
+    throw io::EnvironmentError(fmt::format("driver {}: the device does not answer", driver_.name));
+  return state > 0;
+}
+
 void OpenDevice::start(std::int64_t period, const double* safe) {
   std::array<char, text_bytes> error{};
   if (driver_.start(device_, period, safe, error.data(), error.size()) != 0)

@@ -48,15 +48,24 @@ class OpenDevice {
 
   /// Throws EnvironmentError with the driver's sentence.
   void start(std::int64_t period, const double* safe);
-  int read(double* values) noexcept { return driver_.read(device_, values); }
-  int write(const double* values) noexcept { return driver_.write(device_, values); }
-  int safe() noexcept { return driver_.safe(device_); }
+  /// False while no value has come since the start. Throws EnvironmentError where the device has failed.
+  bool is_ready();
+  /// Returns 1, 0 or -1 as `ready` of driver.h.
+  int ready() noexcept { return driver_.ready ? driver_.ready(device_) : 1; }
+  /// Return a result of driver.h; one that it does not have is a failure.
+  int read(double* values) noexcept { return known(driver_.read(device_, values)); }
+  int write(const double* values) noexcept { return known(driver_.write(device_, values)); }
+  int safe() noexcept { return known(driver_.safe(device_)); }
   int wait(std::int64_t limit) noexcept { return driver_.wait(device_, limit); }
   void stop() noexcept;
   /// Returns the line of counts.
   std::string report() const;
 
  private:
+  static int known(int result) {
+    return result >= STEPWIRE_OK && result <= STEPWIRE_ENDED ? result : STEPWIRE_FAILED;
+  }
+
   const stepwire_driver& driver_;
   void* device_;
   bool started_ = false;

@@ -2,6 +2,7 @@
 // the number of values and a sequence number, one byte each, and the values as floats or doubles. Its end is
 // a CRC-16 (polynomial 1021, begin FFFF) of all but the first two bytes.
 #include <fcntl.h>
+#include <sys/file.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -51,7 +52,7 @@ class Line {
   Line(const std::string& path, speed_t speed)
       : file_(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
     termios settings{};
-    if (file_ < 0 || ::tcgetattr(file_, &settings) != 0) fail(path);
+    if (file_ < 0 || ::flock(file_, LOCK_EX | LOCK_NB) != 0 || ::tcgetattr(file_, &settings) != 0) fail(path);
     ::cfmakeraw(&settings);
     settings.c_cflag |= CLOCAL | CREAD;
     ::cfsetspeed(&settings, speed);
@@ -93,14 +94,12 @@ class SerialDevice {
     ::tcflush(line_.file(), TCIFLUSH);
   }
 
+  int ready() {
+    if (!take_bytes()) return -1;
+    return channels_.count(STEPWIRE_INPUT) == 0 || newest_.seen() > 0;
+  }
   int read(double* values) {
-    for (int i = 0; i < most_reads; ++i) {
-      const ssize_t got = ::read(line_.file(), bytes_.data() + filled_, bytes_.size() - filled_);
-      if (got == 0 || (got < 0 && errno != EAGAIN && errno != EINTR)) return STEPWIRE_FAILED;  // 0: unplugged
-      if (got < 0) break;
-      filled_ += static_cast<std::size_t>(got);
-      take_frames();
-    }
+    if (!take_bytes()) return STEPWIRE_FAILED;
     return channels_.count(STEPWIRE_INPUT) > 0 ? newest_.give(values) : STEPWIRE_OK;
   }
 
@@ -130,6 +129,17 @@ class SerialDevice {
   }
 
  private:
+  /// Takes the bytes that have come. Returns false once the line is unplugged.
+  bool take_bytes() {
+    for (int i = 0; i < most_reads; ++i) {
+      const ssize_t got = ::read(line_.file(), bytes_.data() + filled_, bytes_.size() - filled_);
+      if (got == 0 || (got < 0 && errno != EAGAIN && errno != EINTR)) return false;
+      if (got < 0) break;
+      filled_ += static_cast<std::size_t>(got);
+      take_frames();
+    }
+    return true;
+  }
   void put(std::uint8_t* to, double value) const {
     const auto small = static_cast<float>(value);
     if (width_ == 4)

@@ -2,6 +2,7 @@
 // client.
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <time.h>
@@ -48,10 +49,15 @@ class Segment {
                                         : "there is no shared memory " + name_ +
                                               "; its host, such as 'stepwire rig', "
                                               "is to be started first");
+    if (!is_host_ && ::flock(file, LOCK_EX | LOCK_NB) != 0) {
+      ::close(file);
+      throw std::runtime_error("the shared memory " + name_ + " is in use by another loop");
+    }
     map(file);
-    ::close(file);
+    file_ = file;  // which keeps the lock
   }
   ~Segment() {
+    ::close(file_);
     if (!memory_) return;
     (is_host_ ? memory_->host : memory_->client) = 0;
     ::munmap(memory_, sizeof(stepwire_segment));
@@ -93,6 +99,7 @@ class Segment {
 
   std::string name_;
   bool is_host_;
+  int file_ = -1;
   stepwire_segment* memory_ = nullptr;
 };
 
@@ -113,11 +120,15 @@ class SharedDevice {
   void start(std::int64_t, const double* safe) {
     safe_.assign(safe, safe + channels_.count(STEPWIRE_OUTPUT));
     last_.assign(channels_.count(STEPWIRE_INPUT), 0.0);
-    began_ = now();
+    changed_ = now();
     (is_host_ ? segment_->host : segment_->client) = ::getpid();
   }
 
-  /// Values that were never written are stale only after the limit, so that either side may begin first.
+  int ready() {
+    std::int64_t time = 0;
+    return last_.empty() || stepwire_get(&from(), last_.data(), last_.size(), &time) != 0;
+  }
+  /// The age is that of the last change that was seen, since the other side may have another clock.
   int read(double* values) {
     std::int64_t time = 0;
     const std::uint64_t beat = stepwire_get(&from(), values, last_.size(), &time);
@@ -125,8 +136,11 @@ class SharedDevice {
       std::copy_n(values, last_.size(), last_.data());
     else
       std::copy_n(last_.data(), last_.size(), values);
-    if (beat != 0) seen_ = beat;
-    age_ = now() - std::max(time, began_);
+    if (beat != 0 && beat != seen_) {
+      seen_ = beat;
+      changed_ = now();
+    }
+    age_ = now() - changed_;
     return age_ > stale_ ? STEPWIRE_STALE : STEPWIRE_OK;
   }
   int write(const double* values) {
@@ -182,7 +196,7 @@ class SharedDevice {
   }
 
   bool is_host_;
-  std::int64_t stale_, began_ = 0, age_ = 0;
+  std::int64_t stale_, changed_ = 0, age_ = 0;
   std::uint64_t seen_ = 0;
   Segment segment_;
   Channels channels_;

@@ -35,8 +35,10 @@ class Settings {
   }
   /// Returns a time [ns]: "2 ms".
   std::int64_t time(const char* key, double otherwise) const {
-    return static_cast<std::int64_t>(
-        scaled(key, otherwise, {{"ns", 1.0}, {"us", 1e3}, {"ms", 1e6}, {"s", 1e9}}));
+    constexpr double longest = 1e18;
+    const double time = scaled(key, otherwise, {{"ns", 1.0}, {"us", 1e3}, {"ms", 1e6}, {"s", 1e9}});
+    if (!(time >= 0.0 && time <= longest)) refuse(key, "is a time from 0 to 1e9 s");
+    return static_cast<std::int64_t>(time);
   }
   /// Returns a length [m]: "30 cm".
   double length(const char* key, double otherwise) const {

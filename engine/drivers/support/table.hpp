@@ -21,7 +21,8 @@ inline void list_files(const char* pattern, char* text, std::size_t size) {
 }
 
 /// Functions of driver.h for a class of devices. Its constructor takes Settings and may throw; start() may
-/// throw; read(), write(), safe(), stop() and report() do not. A class with wait() is a clock.
+/// throw; read(), write(), safe(), stop() and report() do not. A class with wait() is a clock; one without
+/// ready() has values at once.
 template <class Device>
 struct Calls {
   static Device& of(void* device) { return *static_cast<Device*>(device); }
@@ -57,6 +58,10 @@ struct Calls {
     if constexpr (requires(Device & one) { one.wait(limit); }) return of(device).wait(limit);
     return -1;
   }
+  static int ready(void* device) {
+    if constexpr (requires(Device & one) { one.ready(); }) return of(device).ready();
+    return 1;
+  }
   static void stop(void* device) { of(device).stop(); }
   static void close(void* device) { delete static_cast<Device*>(device); }
   static void report(void* device, char* text, size_t size) { of(device).report(text, size); }
@@ -84,7 +89,8 @@ stepwire_driver driver_table(const char* name, const char* doc, const stepwire_k
           All::stop,
           All::close,
           All::report,
-          list};
+          list,
+          All::ready};
 }
 
 }  // namespace stepwire::support

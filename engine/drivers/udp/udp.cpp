@@ -84,9 +84,12 @@ class UdpDevice {
     }  // what came before the start is old
   }
 
+  int ready() {
+    take_packets();
+    return channels_.count(STEPWIRE_INPUT) == 0 || newest_.seen() > 0;
+  }
   int read(double* values) {
-    for (int i = 0; i < most_packets && receive(); ++i) {
-    }
+    take_packets();
     return channels_.count(STEPWIRE_INPUT) > 0 ? newest_.give(values) : STEPWIRE_OK;
   }
 
@@ -135,6 +138,10 @@ class UdpDevice {
     }
   }
 
+  void take_packets() {
+    for (int i = 0; i < most_packets && receive(); ++i) {
+    }
+  }
   /// Takes one waiting packet. False where none waits.
   bool receive() {
     sockaddr_in from{};

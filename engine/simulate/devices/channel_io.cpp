@@ -2,12 +2,17 @@
 
 #include <sstream>
 
+#include "engine/base/io/environment_error.hpp"
+
 namespace stepwire::devices {
 
-DirectIo::DirectIo(const Wiring& wiring, guard::Bank& bank) : bank_(bank), watch_(wiring.limits) {
-  for (std::size_t i = 0; i < bank.devices(); ++i) bank.hold_stale(i, wiring.holds_stale[i]);
+DirectIo::DirectIo(const Wiring& wiring, guard::Bank& bank, const std::atomic<bool>* interrupt)
+    : bank_(bank), watch_(wiring.limits) {
+  bank_.use(wiring.uses);
   bank_.start(wiring.limits.period, watch_.safe());
   bank_.safe();
+  bank_.await_values(wiring.wait, [&] { return !(interrupt && *interrupt); });
+  if (interrupt && *interrupt) throw io::EnvironmentError(guard::Bank::interrupted);
 }
 
 DirectIo::~DirectIo() {
@@ -43,8 +48,8 @@ std::vector<std::string> DirectIo::finish() {
   return bank_.reports();
 }
 
-GuardedIo::GuardedIo(const Wiring& wiring, int priority)
-    : guard_({wiring.devices, wiring.holds_stale, wiring.limits, priority}) {}
+GuardedIo::GuardedIo(const Wiring& wiring, int priority, const std::atomic<bool>* interrupt)
+    : guard_({wiring.devices, wiring.uses, wiring.wait, wiring.limits, priority}, interrupt) {}
 
 std::vector<std::string> GuardedIo::finish() {
   std::vector<std::string> lines;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,7 @@ class ChannelIo {
 class DirectIo : public ChannelIo {
  public:
   /// Starts the devices. Throws EnvironmentError.
-  DirectIo(const Wiring& wiring, guard::Bank& bank);
+  DirectIo(const Wiring& wiring, guard::Bank& bank, const std::atomic<bool>* interrupt = nullptr);
   ~DirectIo() override;
 
   bool read(double* inputs) noexcept override;
@@ -49,7 +50,7 @@ class GuardedIo : public ChannelIo {
  public:
   /// Starts the guard, at the priority of SCHED_FIFO or with the default policy for 0. Throws
   /// EnvironmentError.
-  GuardedIo(const Wiring& wiring, int priority);
+  GuardedIo(const Wiring& wiring, int priority, const std::atomic<bool>* interrupt = nullptr);
 
   bool read(double* inputs) noexcept override { return guard_.inputs(inputs); }
   bool write(const double* outputs) noexcept override { return guard_.command(outputs); }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "engine/base/math/normal_quantile.hpp"
 #include "engine/base/math/random.hpp"
@@ -128,9 +129,10 @@ void HostedPlant::read(double* inputs) noexcept {
   if (!began_) defaults_.assign(inputs, inputs + in_.size());
   began_ = true;
   ++steps_;
+  commanded_ = commanded_ || open_->ready() > 0;
   const int state = open_->read(commands_.data());
-  const bool is_new =
-      state == STEPWIRE_OK && std::ranges::all_of(commands_, [](double x) { return std::isfinite(x); });
+  const bool is_new = commanded_ && state == STEPWIRE_OK &&
+                      std::ranges::all_of(commands_, [](double x) { return std::isfinite(x); });
   inhibited_ += is_new ? 0 : 1;
   std::ranges::copy(is_new ? commands_ : defaults_, inputs);
 }
@@ -150,10 +152,19 @@ void HostedPlant::apply_faults() noexcept {
   }
 }
 
+/// Before the first step the sensors have shown its values.
+void HostedPlant::begin(const double* outputs) noexcept {
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    sensors_[i].held = outputs[i];
+    for (std::size_t row = 0; row <= delay_; ++row) delay_line_[row * sensors_.size() + i] = outputs[i];
+  }
+}
+
 void HostedPlant::write(const double* outputs) noexcept {
   const std::size_t width = sensors_.size(), row = static_cast<std::size_t>(steps_) % (delay_ + 1);
+  if (!std::exchange(has_shown_, true)) begin(outputs);
   std::copy_n(outputs, width, delay_line_.begin() + static_cast<std::ptrdiff_t>(row * width));
-  const std::size_t seen = static_cast<std::size_t>(steps_) > delay_ ? (row + 1) % (delay_ + 1) : row;
+  const std::size_t seen = (row + 1) % (delay_ + 1);
   for (std::size_t i = 0; i < width; ++i) {
     const Sensor& one = sensors_[i];
     double value = delay_line_[seen * width + i];

@@ -57,6 +57,7 @@ class HostedPlant : public LoopRig, public realtime::Device {
   };
 
   void open(const PlantCall& call, double period);
+  void begin(const double* outputs) noexcept;
   void apply_faults() noexcept;
   void set_each(const std::vector<std::string>& texts, double Sensor::*member);
   double number(const std::string& text, const Port& port) const;
@@ -72,6 +73,8 @@ class HostedPlant : public LoopRig, public realtime::Device {
   std::int64_t seed_, steps_ = 0, inhibited_ = 0;
   double period_;
   bool unplugged_ = false, began_ = false;
+  bool commanded_ = false;  ///< true once a first command has come
+  bool has_shown_ = false;  ///< true once the sensors have shown a first value
 };
 
 }  // namespace stepwire::devices

@@ -227,6 +227,8 @@ const Table<IoRequest>& io_table() {
         }},
        {"late", "largest time between two commands, by default one and a half periods",
         form::above_zero(form::number("s")), &IoRequest::late},
+       {"wait", "largest time to the first value of each device with wired inputs, 5 s by default",
+        form::above_zero(form::number("s")), &IoRequest::wait},
        {"ramp", "time in which outputs go from safe values to the loop's",
         form::above_zero(form::number("s")), &IoRequest::ramp},
        clock_row()});

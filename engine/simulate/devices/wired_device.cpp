@@ -69,11 +69,33 @@ std::vector<std::string> WiredDevice::limited() const {
 }
 
 /// Waits for the next sample. Samples that have passed before make the loop late by their number of periods.
-/// Without a sample the loop goes on after the limit, and its next read fails.
+/// Without a sample the loop goes on once the values of the device are stale, and its next read fails.
 void DeviceClock::sleep_until(std::int64_t deadline) {
   constexpr std::int64_t limit = 1'000'000'000;
-  const int samples = device_.wait(std::max(limit, 2 * period_));
-  ahead_ = deadline - clock_.now() + std::max(0, samples - 1) * period_;
+  const std::int64_t end = clock_.now() + std::max(limit, 2 * period_);
+  int samples = 0;
+  while ((samples = device_.wait(2 * period_)) == 0 && clock_.now() < end &&
+         device_.read(values_.data()) == STEPWIRE_OK) {
+  }
+  last_ = clock_.now();
+  if (first_ == 0)
+    first_ = last_;
+  else
+    samples_ += samples;
+  ahead_ = deadline - last_ + std::max(0, samples - 1) * period_;
+}
+
+std::string DeviceClock::other_period() const {
+  constexpr std::int64_t fewest = 10;
+  constexpr double part = 0.05;
+  const double mean =
+      static_cast<double>(last_ - first_) / static_cast<double>(std::max<std::int64_t>(1, samples_));
+  const auto period = static_cast<double>(period_);
+  if (samples_ < fewest || std::abs(mean - period) <= part * period) return "";
+  return fmt::format(
+      "samples of the clock came every {:.4g} ms, and a period of the loop is {:.4g} ms: the times of the "
+      "diagram are not those of the clock; --rate {:.4g}",
+      mean * 1e-6, period * 1e-6, 1e9 / mean);
 }
 
 namespace {
@@ -84,14 +106,15 @@ std::unique_ptr<guard::Bank> opened(const IoRequest& request) {
 
 }  // namespace
 
-Rig::Rig(const IoRequest& request, const Ports& ports, double period, int priority) {
+Rig::Rig(const IoRequest& request, const Ports& ports, double period, int priority,
+         const std::atomic<bool>* interrupt) {
   bank_ = opened(request);
   wiring_ = wire(request, ports, *bank_, period);
   if (wiring_.guarded) {
     bank_.reset();  // the guard opens them
-    io_ = std::make_unique<GuardedIo>(wiring_, priority);
+    io_ = std::make_unique<GuardedIo>(wiring_, priority, interrupt);
   } else {
-    io_ = std::make_unique<DirectIo>(wiring_, *bank_);
+    io_ = std::make_unique<DirectIo>(wiring_, *bank_, interrupt);
   }
   device_ = std::make_unique<WiredDevice>(wiring_, *io_);
   if (wiring_.clock)
@@ -100,6 +123,8 @@ Rig::Rig(const IoRequest& request, const Ports& ports, double period, int priori
 
 std::vector<std::string> Rig::finish() {
   std::vector<std::string> lines = io_->finish();
+  if (clock_)
+    if (std::string line = clock_->other_period(); !line.empty()) lines.push_back(std::move(line));
   for (std::string& line : device_->limited()) lines.push_back(std::move(line));
   return lines;
 }

@@ -46,16 +46,23 @@ class WiredDevice : public realtime::Device {
 /// Clock of a loop whose deadlines are the samples of a device.
 class DeviceClock : public realtime::LoopClock {
  public:
-  DeviceClock(driver::OpenDevice& device, std::int64_t period) : device_(device), period_(period) {}
+  DeviceClock(driver::OpenDevice& device, std::int64_t period)
+      : device_(device), period_(period), values_(device.inputs().size()) {}
 
   std::int64_t now() override { return clock_.now() + ahead_; }
   void sleep_until(std::int64_t deadline) override;
+  /// Returns a line where the samples have another period than the loop, whose times are then not those of
+  /// the device; "" otherwise.
+  std::string other_period() const;
 
  private:
   driver::OpenDevice& device_;
   std::int64_t period_;
+  std::vector<double> values_;
   realtime::SystemClock clock_;
   std::int64_t ahead_ = 0;  ///< of the system's clock
+  std::int64_t first_ = 0, last_ = 0,
+               samples_ = 0;  ///< times of the first and the last sample, samples since
 };
 
 /// Opened and checked rig of a loop.
@@ -63,9 +70,12 @@ class Rig : public LoopRig {
  public:
   /// Opens the devices of a rig file and checks it against the diagram; then starts them. Throws Error and
   /// EnvironmentError. `period` is that of the loop [s]; `priority` is that of a guard, see GuardedIo.
-  Rig(const std::string& file, const plan::Plan& plan, double period, int priority = 0)
-      : Rig(read_io(file), Ports::of(plan), period, priority) {}
-  Rig(const IoRequest& request, const Ports& ports, double period, int priority = 0);
+  /// Once `interrupt` is true it waits no longer for the first values of the devices.
+  Rig(const std::string& file, const plan::Plan& plan, double period, int priority = 0,
+      const std::atomic<bool>* interrupt = nullptr)
+      : Rig(read_io(file), Ports::of(plan), period, priority, interrupt) {}
+  Rig(const IoRequest& request, const Ports& ports, double period, int priority = 0,
+      const std::atomic<bool>* interrupt = nullptr);
 
   realtime::Device& device() override { return *device_; }
   realtime::LoopClock* clock() override { return clock_.get(); }

@@ -17,7 +17,8 @@ namespace {
 using unit::Dimension;
 
 std::int64_t nanoseconds(double seconds) {
-  return std::llround(seconds * 1e9);
+  constexpr double longest = 1e9;  // 32 years
+  return std::llround(std::min(seconds, longest) * 1e9);
 }
 
 template <class All>
@@ -76,7 +77,8 @@ class Wirer {
     all_.limits.period = nanoseconds(period_);
     all_.limits.late = nanoseconds(request_.late.value_or(1.5 * period_));
     all_.limits.ramp = nanoseconds(request_.ramp);
-    all_.holds_stale.assign(bank_.devices(), true);
+    all_.wait = nanoseconds(request_.wait);
+    all_.uses.assign(bank_.devices(), guard::InputUse::unused);
     for (std::size_t i = 0; i < bank_.devices(); ++i) {
       for (const stepwire_channel& one : bank_.device(i).inputs())
         all_.limits.inputs.push_back({channel_name(i, one)});
@@ -86,6 +88,8 @@ class Wirer {
       }
     }
   }
+  /// A device has the strictest use of its inputs.
+  void use(std::size_t device, guard::InputUse how) { all_.uses[device] = std::max(all_.uses[device], how); }
   std::string channel_name(std::size_t device, const stepwire_channel& channel) const {
     return request_.devices[device].name + "." + channel.name;
   }
@@ -177,16 +181,21 @@ class Wirer {
     const auto of_scale = one.scale ? one.scale->quantity.dimension : std::nullopt;
     const Dimension shown = dimension.value_or(of_scale.value_or(Dimension{}) * unit->dimension);
     all_.inputs.push_back({*port, place->index, line.scale, line.offset, filter, unit_name(shown)});
-    if (one.stale == Stale::stop) all_.holds_stale[place->device] = false;
+    use(place->device, one.stale == Stale::stop ? guard::InputUse::live : guard::InputUse::held);
     limit_input(one, line, dimension, all_.limits.inputs[place->index]);
   }
 
+  /// Of two inputs of one channel the stricter limits hold.
   void limit_input(const InputRequest& one, const Line& line, const std::optional<Dimension>& dimension,
                    guard::InputLimits& limits) {
     const std::string subject = "inputs." + one.port;
-    if (one.range) set_range(*one.range, line, dimension, subject + ".range", limits.least, limits.most);
-    limits.rate = rate_of(one.rate, dimension, subject) / std::abs(line.scale);
-    limits.stuck = nanoseconds(one.stuck);
+    double least = -guard::no_limit, most = guard::no_limit;
+    if (one.range) set_range(*one.range, line, dimension, subject + ".range", least, most);
+    limits.least = std::max(limits.least, least);
+    limits.most = std::min(limits.most, most);
+    limits.rate = std::min(limits.rate, rate_of(one.rate, dimension, subject) / std::abs(line.scale));
+    const std::int64_t stuck = nanoseconds(one.stuck);
+    if (stuck > 0) limits.stuck = limits.stuck > 0 ? std::min(limits.stuck, stuck) : stuck;
   }
 
   /// Sets the limits of a channel from a range of its port.
@@ -261,7 +270,7 @@ class Wirer {
     const auto place = place_of(one.device, one.channel, STEPWIRE_INPUT, one.mark, "dead_man");
     if (!place) return;
     all_.limits.dead_man = guard::DeadMan{place->index, one.above};
-    all_.holds_stale[place->device] = false;
+    use(place->device, guard::InputUse::live);
   }
 
   void add_energy(const EnergyRequest& one) {

@@ -32,7 +32,8 @@ struct OutputWire {
 /// Checked connection of a diagram with devices.
 struct Wiring {
   std::vector<guard::DeviceSettings> devices;
-  std::vector<bool> holds_stale;  ///< of each device
+  std::vector<guard::InputUse> uses;  ///< of the inputs of each device
+  std::int64_t wait = 0;              ///< largest time to the first values [ns]
   std::vector<InputWire> inputs;
   std::vector<OutputWire> outputs;
   guard::WatchLimits limits;

@@ -1,6 +1,13 @@
 #include "engine/simulate/guard/bank.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
 #include <algorithm>
+
+#include "engine/base/io/environment_error.hpp"
+#include "engine/simulate/guard/link.hpp"
 
 namespace stepwire::guard {
 
@@ -18,11 +25,37 @@ void Bank::start(std::int64_t period, const double* safe) {
   for (One& one : devices_) one.open->start(period, safe + one.first_output);
 }
 
+void Bank::use(const std::vector<InputUse>& uses) {
+  for (std::size_t i = 0; i < devices_.size(); ++i) devices_[i].use = uses[i];
+}
+
+std::vector<std::string> Bank::silent() {
+  std::vector<std::string> names;
+  for (One& one : devices_)
+    if (one.use != InputUse::unused && !one.open->is_ready()) names.push_back(one.name);
+  return names;
+}
+
+void Bank::await_values(std::int64_t limit, const std::function<bool()>& goes_on) {
+  constexpr useconds_t pause = 1000;
+  const std::int64_t end = monotonic() + limit;
+  while (goes_on()) {
+    const std::vector<std::string> names = silent();
+    if (names.empty()) return;
+    if (monotonic() >= end)
+      throw io::EnvironmentError(
+          fmt::format("{}: no value has come within {:.3g} s; the other side must run (key wait)",
+                      fmt::join(names, ", "), static_cast<double>(limit) * 1e-9));
+    safe();
+    ::usleep(pause);
+  }
+}
+
 int Bank::read(double* inputs) noexcept {
   int worst = STEPWIRE_OK;
   for (One& one : devices_) {
     const int result = one.open->read(inputs + one.first_input);
-    if (result == STEPWIRE_STALE && one.holds_stale) continue;
+    if (result == STEPWIRE_STALE && one.use != InputUse::live) continue;
     worst = std::max(worst, result);
   }
   return worst;

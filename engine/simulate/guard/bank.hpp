@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,6 +15,13 @@ struct DeviceSettings {
   std::string name, driver;
   std::string file;  ///< of the driver
   driver::Settings settings;
+};
+
+/// Use of the inputs of a device.
+enum class InputUse : std::uint8_t {
+  unused,  ///< none is wired
+  held,    ///< values that are stale count on
+  live     ///< values that are stale end the use of the devices
 };
 
 /// Devices of a rig as one: their channels are concatenated in the order of the devices.
@@ -31,13 +39,17 @@ class Bank {
 
   /// Starts all devices, with a safe value for each output. Throws EnvironmentError.
   void start(std::int64_t period, const double* safe);
-  /// Return the worst result of driver.h of the devices. `stale_kept` has the devices whose stale values
-  /// count on.
+  static constexpr const char* interrupted = "interrupted before all devices had given a value";
+  /// Waits until each device with wired inputs has a value, or `goes_on` is false, at most for this time
+  /// [ns]. Repeats the safe values until then, since the other side may wait for them. Throws
+  /// EnvironmentError with the devices that are silent.
+  void await_values(std::int64_t limit, const std::function<bool()>& goes_on);
+  /// Return the worst result of driver.h of the devices.
   int read(double* inputs) noexcept;
   int write(const double* outputs) noexcept;
   int safe() noexcept;
-  /// Sets whether stale values of a device count on.
-  void hold_stale(std::size_t device, bool holds) { devices_[device].holds_stale = holds; }
+  /// Sets the use of the inputs of each device.
+  void use(const std::vector<InputUse>& uses);
   void stop() noexcept;
   /// Returns a line of counts for each device that has any.
   std::vector<std::string> reports() const;
@@ -47,8 +59,11 @@ class Bank {
     std::string name;
     std::unique_ptr<driver::OpenDevice> open;
     std::size_t first_input = 0, first_output = 0;
-    bool holds_stale = false;
+    InputUse use = InputUse::live;
   };
+
+  /// Returns the names of devices with wired inputs that have no value yet.
+  std::vector<std::string> silent();
 
   std::vector<One> devices_;
   std::size_t inputs_ = 0, outputs_ = 0;

@@ -36,11 +36,9 @@ void limits_through(Stream& stream, WatchLimits& of) {
 template <class Stream>
 void through(Stream& stream, GuardCall& call) {
   devices_through(stream, call.devices);
-  std::vector<std::uint8_t> holds(call.holds_stale.begin(), call.holds_stale.end());
-  messages::plain_list(stream, holds);
-  call.holds_stale.assign(holds.begin(), holds.end());
+  messages::plain_list(stream, call.uses);
   limits_through(stream, call.limits);
-  all(stream, call.priority);
+  all(stream, call.wait, call.priority);
 }
 
 }  // namespace
@@ -55,7 +53,7 @@ GuardCall guard_call(std::string_view bytes) {
   messages::ByteReader reader(bytes);
   GuardCall call;
   through(reader, call);
-  if (!reader.whole() || !reader.at_end() || call.holds_stale.size() != call.devices.size())
+  if (!reader.whole() || !reader.at_end() || call.uses.size() != call.devices.size())
     throw io::EnvironmentError("the call of the guard is not whole");
   return call;
 }

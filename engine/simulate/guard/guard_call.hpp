@@ -12,7 +12,8 @@ namespace stepwire::guard {
 /// Content of the call of a guard.
 struct GuardCall {
   std::vector<DeviceSettings> devices;
-  std::vector<bool> holds_stale;  ///< of each device
+  std::vector<InputUse> uses;  ///< of the inputs of each device
+  std::int64_t wait = 0;       ///< largest time to the first values [ns]
   WatchLimits limits;
   int priority = 0;  ///< of SCHED_FIFO; 0: the default policy
 };

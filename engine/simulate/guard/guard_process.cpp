@@ -41,7 +41,7 @@ GuardProcess::GuardProcess(Link& link, int life)
     throw io::EnvironmentError("the devices have other channels than before");
   inputs_.assign(bank_.inputs(), 0.0);
   commands_.assign(bank_.outputs(), 0.0);
-  for (std::size_t i = 0; i < bank_.devices(); ++i) bank_.hold_stale(i, call_.holds_stale[i]);
+  bank_.use(call_.uses);
   bank_.start(call_.limits.period, watch_.safe());
   bank_.safe();
 }
@@ -54,6 +54,7 @@ GuardProcess::~GuardProcess() {
 
 void GuardProcess::serve() {
   become_prompt(call_.priority);
+  bank_.await_values(call_.wait, [this] { return link_.beats() == seen_ && !is_alone(); });
   life_watch_ = std::thread([this] { watch_life(); });
   read_devices(monotonic());
   link_.tell(GuardState::running, "");
@@ -70,7 +71,7 @@ void GuardProcess::await_turn() {
   const std::int64_t period = call_.limits.period, until = next_turn();
   const std::int64_t expected = watch_.next_check() - call_.limits.late + period;
   const std::int64_t margin = std::min(longest_look, period / 4);
-  if (active_ && until > expected - margin) {
+  if (expects_command() && until > expected - margin) {
     if (monotonic() < expected - margin) link_.await_beat(seen_, expected - margin);
     link_.look_for_beat(seen_, std::min(until, expected + margin));
   }
@@ -80,7 +81,7 @@ void GuardProcess::await_turn() {
 /// Inputs are read three quarters of a period after a command, so that they are new when the loop wakes.
 /// Where the wake-ups for that come too late, commands do not put a read off for more than two periods.
 std::int64_t GuardProcess::next_turn() const {
-  return active_ ? std::min(next_read_, watch_.next_check() + 1) : next_read_;
+  return expects_command() ? std::min(next_read_, watch_.next_check() + 1) : next_read_;
 }
 
 void GuardProcess::turn(std::int64_t now) {
@@ -129,6 +130,11 @@ void GuardProcess::announce_trip() {
   if (announced_) return;
   announced_ = true;
   link_.tell(GuardState::tripped, watch_.text());
+}
+
+bool GuardProcess::is_alone() const noexcept {
+  pollfd look{life_, 0, 0};
+  return ::poll(&look, 1, 0) > 0;
 }
 
 void GuardProcess::watch_life() noexcept {

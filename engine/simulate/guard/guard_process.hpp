@@ -21,12 +21,16 @@ class GuardProcess {
   void serve();
 
  private:
+  /// After a trip no command counts, and no time is a deadline.
+  bool expects_command() const { return active_ && !watch_.tripped(); }
   void await_turn();
   void turn(std::int64_t now);
   void take_command(std::int64_t now);
   void read_devices(std::int64_t now);
   void accept(int result) noexcept;
   void announce_trip();
+  /// True once the loop has ended.
+  bool is_alone() const noexcept;
   void watch_life() noexcept;
   void finish();
   std::int64_t next_turn() const;

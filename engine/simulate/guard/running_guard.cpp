@@ -40,13 +40,14 @@ constexpr std::int64_t longest_start = 10'000'000'000, longest_end = 2'000'000'0
 
 }  // namespace
 
-RunningGuard::RunningGuard(GuardCall call)
+RunningGuard::RunningGuard(GuardCall call, const std::atomic<bool>* interrupt)
     : call_(std::move(call)),
       link_(call_.limits.inputs.size(), call_.limits.outputs.size(), bytes_of(call_)) {
   spawn();
-  await(GuardState::starting, longest_start);
+  await(GuardState::starting, longest_start + call_.wait, interrupt);
   if (link_.state() != GuardState::running) {
-    const std::string reason = link_.reason();
+    const bool was_interrupted = interrupt && *interrupt;
+    const std::string reason = was_interrupted ? Bank::interrupted : link_.reason();
     finish();
     throw io::EnvironmentError(reason.empty() ? "the guard has not started; without it: guard: false"
                                               : reason);
@@ -75,9 +76,9 @@ void RunningGuard::spawn() {
 }
 
 /// Waits until the state is beyond `worst`, the guard has ended, or the limit has passed.
-void RunningGuard::await(GuardState worst, std::int64_t limit) {
+void RunningGuard::await(GuardState worst, std::int64_t limit, const std::atomic<bool>* interrupt) {
   const std::int64_t end = monotonic() + limit;
-  while (link_.state() <= worst && monotonic() < end) {
+  while (link_.state() <= worst && monotonic() < end && !(interrupt && *interrupt)) {
     pollfd look{life_.number(), 0, 0};
     if (::poll(&look, 1, 1) > 0) return;
   }
@@ -104,7 +105,7 @@ void RunningGuard::rescue() noexcept {
   if (finishing_ || gone_.exchange(true)) return;
   ::kill(process_, SIGKILL);
   siginfo_t change{};
-  for (int looks = 0; looks < 100; ++looks) {
+  for (int looks = 0; looks < 2000; ++looks) {
     const int result = ::waitid(P_PID, static_cast<id_t>(process_), &change, WEXITED | WNOHANG | WNOWAIT);
     if (result != 0 || change.si_pid != 0) break;
     ::usleep(50);

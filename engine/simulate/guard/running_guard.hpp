@@ -19,7 +19,8 @@ namespace stepwire::guard {
 class RunningGuard {
  public:
   /// Starts the guard and waits until its devices are started. Throws EnvironmentError with its reason.
-  explicit RunningGuard(GuardCall call);
+  /// Once `interrupt` is true it waits no longer for the first values.
+  explicit RunningGuard(GuardCall call, const std::atomic<bool>* interrupt = nullptr);
   /// Ends it; the devices are at their safe values.
   ~RunningGuard();
   RunningGuard(const RunningGuard&) = delete;
@@ -41,7 +42,7 @@ class RunningGuard {
   bool is_well() noexcept;
   void rescue() noexcept;
   void set_safe() noexcept;
-  void await(GuardState worst, std::int64_t limit);
+  void await(GuardState worst, std::int64_t limit, const std::atomic<bool>* interrupt = nullptr);
 
   GuardCall call_;
   Link link_;

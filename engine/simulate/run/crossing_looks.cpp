@@ -50,6 +50,7 @@ void CrossingLooks::add(const plan::CrossingCall& call, const std::vector<bool>&
   const std::ptrdiff_t active = plan::active_of(plan_, call.block);
   looks_.push_back({type.run_crossings, blocks_.memory(call.block), active < 0 ? &always : values_ + active,
                     call.first, call.count});
+  guarded_ |= active >= 0;
   const auto changes = [&](const CrossingSpec& spec) {
     return std::ranges::any_of(spec.inputs, [&](const std::string& input) {
       const auto& slots = plan_.blocks[call.block].inputs[static_cast<std::size_t>(type.input(input))];
@@ -83,7 +84,7 @@ bool CrossingLooks::stops() const {
          std::ranges::any_of(ends_, [&](std::size_t place) { return values_[place] <= now; });
 }
 
-void CrossingLooks::find(double* numbers) const {
+void CrossingLooks::find_all(double* numbers) const {
   find(looks_, numbers);
   if (stop_margin_) numbers[*plan_.stop_crossing] = (*stop_margin_)(values_);
 }

@@ -15,8 +15,13 @@ class CrossingLooks {
  public:
   explicit CrossingLooks(BoundBlocks& blocks);
 
-  void find(double* numbers) const;
-  /// Evaluates only the functions that may have changed although time and states have not.
+  void find(double* numbers) const {
+    if (guarded_ || stop_margin_) return find_all(numbers);
+    for (const Look& look : looks_) look.run(look.block, numbers + look.first);
+  }
+  /// True if functions may have changed although time and states have not.
+  bool may_change() const { return stop_changes_ || !changing_.empty(); }
+  /// Evaluates these only.
   void find_changing(double* numbers) const {
     if (!changing_.empty()) find(changing_, numbers);
     if (stop_changes_) numbers[*plan_.stop_crossing] = (*stop_margin_)(values_);
@@ -45,6 +50,7 @@ class CrossingLooks {
 
   void add(const plan::CrossingCall& call, const std::vector<bool>& settled);
   void add_stop(const std::vector<bool>& settled);
+  void find_all(double* numbers) const;
   static void find(const std::vector<Look>& looks, double* numbers);
   double earliest_edge() const;
 
@@ -52,6 +58,7 @@ class CrossingLooks {
   const BoundBlocks& blocks_;
   const double* const values_;
   std::vector<Look> looks_, changing_;
+  bool guarded_ = false;  ///< true if a guard may turn functions off
   std::vector<Edge> edges_;
   std::optional<StopMargin> stop_margin_;  ///< present where `stop_when` is located
   std::vector<std::size_t> ends_;          ///< places of diagnostics that end the run as `stop_when` does

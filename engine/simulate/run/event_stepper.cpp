@@ -1,9 +1,11 @@
 #include "engine/simulate/run/event_stepper.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/simulate/run/whole_step.hpp"
 #include "engine/simulate/solve/error_control.hpp"
+#include "engine/simulate/solve/event_locator.hpp"
 #include "engine/simulate/solve/left_of.hpp"
 #include "engine/simulate/solve/watched_step.hpp"
 
@@ -85,17 +87,22 @@ EventStepper::EventStepper(BoundBlocks& blocks, Participants& who, Stepper& step
       crossing_outputs_(plan_.crossing_outputs, blocks, who),
       crossing_starts_(plan_.crossing_starts, blocks, who),
       looks_(blocks),
-      before_(plan_.crossing_count),
-      after_(plan_.crossing_count),
+      crossings_(2 * plan_.crossing_count),
       end_states_(plan_.layout.state_count),
       tick_states_(plan_.layout.state_count),
       scratch_(solve::EventTask::scratch_size(plan_.layout.state_count, plan_.crossing_count,
                                               plan_.layout.diagnostics - plan_.layout.signals,
                                               control_count(plan_))),
-      states_change_(plan_.updates_continuous || who.guards) {}
+      before_(crossings_.data()),
+      after_(before_ + plan_.crossing_count),
+      past_(&report(solve::EventReport::count), plan_.crossing_count),
+      looks_always_(plan_.diagram.events.looks_always()),
+      states_change_(plan_.updates_continuous || who.guards),
+      starts_change_(states_change_ || looks_.may_change()) {}
 
-bool EventStepper::has_stopped() const {
-  return looks_.may_stop() && report(solve::EventReport::stopped) != 0.0;
+const double* EventStepper::stopped() const {
+  static constexpr double never = 0.0;
+  return looks_.may_stop() ? &report(solve::EventReport::stopped) : &never;
 }
 
 bool EventStepper::is_ahead() const {
@@ -115,13 +122,22 @@ EventCount EventStepper::count() const {
           static_cast<std::int64_t>(report(solve::EventReport::most))};
 }
 
-void EventStepper::look_at_start() {
+bool EventStepper::look_at_start() {
+  if (knows_end_ && !starts_change_) [[likely]] {
+    std::swap(before_, after_);
+    return !was_eventful_;
+  }
   const plan::Layout& layout = plan_.layout;
   const double* states = values_ + layout.states;
-  if (!knows_end_ || (states_change_ && solve::have_changed(states, end_states_.data(), layout.state_count)))
-    return looks_.find(before_.data());
-  before_.swap(after_);
-  looks_.find_changing(before_.data());
+  if (!knows_end_ ||
+      (states_change_ && solve::have_changed(states, end_states_.data(), layout.state_count))) {
+    looks_.find(before_);
+    return false;
+  }
+  std::swap(before_, after_);
+  if (!looks_.may_change()) return !was_eventful_;
+  looks_.find_changing(before_);
+  return false;
 }
 
 void EventStepper::follow_crossings() {
@@ -130,12 +146,15 @@ void EventStepper::follow_crossings() {
 }
 
 /// True if the step must be split. `edge` is the time of the next edge at the start of the step.
-bool EventStepper::is_eventful(const solve::TimeStep& step, double edge) const {
-  const solve::CrossingPast past(&report(solve::EventReport::count), plan_.crossing_count);
+bool EventStepper::is_eventful(const solve::TimeStep& step, double edge, bool continues) const {
   const diagram::Events& events = plan_.diagram.events;
   const double end = plan_.jumps ? step.end : solve::left_of(step.end, step.length);
-  return solve::is_eventful(before_.data(), after_.data(), past,
-                            {step.length, edge<end, true, events.looks> 0, events.looks_always()});
+  return solve::is_eventful(before_, after_, past_,
+                            {step.length, edge<end, true, events.looks> 0, events.looks_always(), continues});
+}
+
+bool EventStepper::is_quiet(const solve::TimeStep& step, double edge, bool continues) const {
+  return continues && edge >= step.end && !looks_always_ && solve::are_within(after_, past_);
 }
 
 void EventStepper::keep_states() {
@@ -171,15 +190,16 @@ void EventStepper::take_whole(std::int64_t tick) {
   const plan::Layout& layout = plan_.layout;
   const solve::TimeStep step = whole_step(plan_, tick);
   if (plan_.updates_continuous && !crossing_starts_.empty()) crossing_starts_.run();
-  look_at_start();
+  const bool continues = look_at_start();
   const double edge = looks_.next_edge();
   stepper_.step(step);
   values_[plan::Layout::time] = step.end;
   stepper_.follow_time();
   follow_crossings();
-  looks_.find(after_.data());
+  looks_.find(after_);
   report(solve::EventReport::ahead) = 1.0;
-  if (is_eventful(step, edge)) locate(tick);
+  was_eventful_ = !is_quiet(step, edge, continues) && is_eventful(step, edge, continues);
+  if (was_eventful_) locate(tick);
   knows_end_ = !plan_.jumps;
   if (states_change_) std::copy_n(values_ + layout.states, layout.state_count, end_states_.data());
 }
@@ -189,7 +209,7 @@ solve::EventTask EventStepper::task() {
   double* scratch = scratch_.data();
   std::copy_n(values_ + layout.states, layout.state_count, scratch);
   stepper_.copy_start(scratch);
-  std::ranges::copy(before_, scratch + solve::EventTask::before(layout.state_count));
+  std::copy_n(before_, plan_.crossing_count, scratch + solve::EventTask::before(layout.state_count));
   const diagram::Events& events = plan_.diagram.events;
   return {plan::Layout::time,
           layout.states,
@@ -215,7 +235,7 @@ void EventStepper::locate(std::int64_t tick) {
   const BetweenTicks between{*this};
   solve::EventLocator(split, values_, between)
       .advance(plan_.time_of(tick), plan_.time_of(tick + 1), plan_.diagram.step);
-  looks_.find(after_.data());
+  looks_.find(after_);
 }
 
 }  // namespace stepwire::run

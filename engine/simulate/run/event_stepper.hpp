@@ -10,7 +10,8 @@
 #include "engine/simulate/run/event_count.hpp"
 #include "engine/simulate/run/left_side.hpp"
 #include "engine/simulate/run/stepper.hpp"
-#include "engine/simulate/solve/event_locator.hpp"
+#include "engine/simulate/solve/crossing_signs.hpp"
+#include "engine/simulate/solve/event_task.hpp"
 
 namespace stepwire::run {
 
@@ -32,8 +33,8 @@ class EventStepper {
   /// Keeps the states before the updates of a tick.
   void keep_states();
   void step(std::int64_t tick);
-  /// True once `stop_when` has ended the run at an event.
-  bool has_stopped() const;
+  /// Returns the address of a number that is not 0 once `stop_when` has ended the run at an event.
+  const double* stopped() const;
   /// True if the last step has computed the outputs of the tick that depend on states and time alone.
   bool is_ahead() const;
   void forget_ahead();
@@ -50,10 +51,15 @@ class EventStepper {
   bool settle_tick();
   void take_whole(std::int64_t tick);
   void take_watched(std::int64_t tick);
-  void look_at_start();
+  /// Finds the crossing functions at the start of a step. Returns true if they are those at the end of the
+  /// last one, and that was not eventful.
+  bool look_at_start();
   /// Computes the signals that the crossing functions read.
   void follow_crossings();
-  bool is_eventful(const solve::TimeStep& step, double edge) const;
+  bool is_eventful(const solve::TimeStep& step, double edge, bool continues) const;
+  /// True if the step needs no closer look: without edges, from a step like it, and with all numbers within
+  /// their bands.
+  bool is_quiet(const solve::TimeStep& step, double edge, bool continues) const;
   void locate(std::int64_t tick);
   /// Returns the task of the step, with the start of the step in its scratch memory.
   solve::EventTask task();
@@ -66,11 +72,16 @@ class EventStepper {
   BothSides* const sides_;
   CallTable ahead_, crossing_outputs_, crossing_starts_;
   CrossingLooks looks_;
-  /// Crossing functions at the start and at the end of a step, and the states at the end of the last step and
-  /// before the updates of a tick.
-  std::vector<double> before_, after_, end_states_, tick_states_, scratch_;
-  const bool states_change_;  ///< true if states change outside of the solver
+  std::vector<double> crossings_;                 ///< numbers of the crossing functions, twice
+  double *before_, *after_;                       ///< those at the start and at the end of a step
+  std::vector<double> end_states_, tick_states_;  ///< at the end of the last step, before updates of a tick
+  std::vector<double> scratch_;                   ///< of EventTask
+  const solve::CrossingPast past_;
+  const bool looks_always_;   ///< True if each step is examined.
+  const bool states_change_;  ///< True if states change outside of the solver.
+  const bool starts_change_;  ///< True if crossing functions may change between two steps.
   bool knows_end_ = false;    ///< true while after_ and end_states_ are those of the last step
+  bool was_eventful_ = true;  ///< true if the last step was
 };
 
 }  // namespace stepwire::run

@@ -2,10 +2,19 @@
 
 #include <algorithm>
 
+#include "engine/simulate/run/event_stepper.hpp"
 #include "engine/simulate/run/step_probe.hpp"
 #include "engine/simulate/run/whole_step.hpp"
 
 namespace stepwire::run {
+
+namespace {
+
+constexpr double never = 0.0;
+
+}  // namespace
+
+Executor::Executor(const plan::Plan& plan) : Executor(plan, fn::Selection(plan.diagram.uses_libm)) {}
 
 Executor::Executor(const plan::Plan& plan, const fn::Selection&)
     : plan_(plan),
@@ -21,10 +30,14 @@ Executor::Executor(const plan::Plan& plan, const fn::Selection&)
       end_updates_(plan.end_updates, blocks_, who_) {
   if (plan.records_instants()) sides_.emplace(blocks_, who_, stepper_);
   if (plan.splits_steps())
-    events_.emplace(blocks_, who_, stepper_, left_, phase_, sides_ ? &*sides_ : nullptr);
+    events_ =
+        std::make_unique<EventStepper>(blocks_, who_, stepper_, left_, phase_, sides_ ? &*sides_ : nullptr);
+  stopped_ = events_ ? events_->stopped() : &never;
   if (health_.may_end()) last_outputs_.emplace(plan.sides, blocks_, who_);
   reset();
 }
+
+Executor::~Executor() = default;
 
 void Executor::use(const plan::CompiledPlan& code) {
   if (sides_ || (events_ && events_->observer)) return;
@@ -110,6 +123,10 @@ void Executor::follow_values() {
   events_->forget_end();
 }
 
+EventCount Executor::event_count() const {
+  return events_ ? events_->count() : EventCount{};
+}
+
 void Executor::evaluate() {
   if (has_stopped()) return;
   if (code_)
@@ -128,7 +145,7 @@ void Executor::check_steps() {
 
 void Executor::look_at_end() {
   if (!healthy()) return;
-  if (!end_updates_.empty() && !(events_ && events_->has_stopped())) {
+  if (!end_updates_.empty() && *stopped_ == 0.0) {
     const fn::Selection selection = functions();
     if (!health_.has_ended()) who_.find_due(workspace_.tick);
     end_updates_.run_due();

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,7 +12,7 @@
 #include "engine/model/plan/compiled_plan.hpp"
 #include "engine/simulate/run/both_sides.hpp"
 #include "engine/simulate/run/discrete_phase.hpp"
-#include "engine/simulate/run/event_stepper.hpp"
+#include "engine/simulate/run/event_count.hpp"
 #include "engine/simulate/run/health.hpp"
 #include "engine/simulate/run/left_side.hpp"
 #include "engine/simulate/run/loop_cost.hpp"
@@ -21,6 +22,8 @@
 #include "engine/simulate/run/value_setter.hpp"
 
 namespace stepwire::run {
+
+class EventStepper;
 
 /// Complete mutable state of a run. A copy is a snapshot; Executor::restore() loads it.
 struct Workspace {
@@ -35,7 +38,8 @@ struct Workspace {
 class Executor {
  public:
   /// Throws Error if the diagram names an unknown solver.
-  explicit Executor(const plan::Plan& plan) : Executor(plan, fn::Selection(plan.diagram.uses_libm)) {}
+  explicit Executor(const plan::Plan& plan);
+  ~Executor();
   Executor(const Executor&) = delete;
   Executor& operator=(const Executor&) = delete;
 
@@ -93,7 +97,7 @@ class Executor {
   bool healthy() const { return health_.fine(); }
   /// True once the run has ended without a fault: by `stop_when` at an event between two ticks, or by a
   /// block.
-  bool has_stopped() const { return (events_ && events_->has_stopped()) || health_.has_ended(); }
+  bool has_stopped() const { return *stopped_ != 0.0 || (health_.may_end() && health_.has_ended()); }
   bool finished() const { return workspace_.tick >= plan_.steps; }
   std::int64_t tick() const { return workspace_.tick; }
   double time() const {
@@ -124,7 +128,7 @@ class Executor {
   /// Returns the counts of accepted and rejected steps up to now, for solvers with error control.
   StepCount step_count() const { return run::step_count(plan_, values()); }
   /// Returns the counts of located events up to now.
-  EventCount event_count() const { return events_ ? events_->count() : EventCount{}; }
+  EventCount event_count() const;
 
   /// Runs one call of the plan, or a part of its blocks, at the present instant. Used to measure its cost.
   void call(const plan::KernelCall& batch) {
@@ -164,8 +168,9 @@ class Executor {
   Stepper stepper_;
   LeftSide left_;
   StepProbeMemory probe_memory_;
-  std::optional<EventStepper> events_;  ///< present if steps are split at events
-  std::optional<BothSides> sides_;      ///< present if both sides of instants are recorded
+  std::unique_ptr<EventStepper> events_;  ///< present if steps are split at events
+  const double* stopped_;                 ///< address of a number that is not 0 after an end at an event
+  std::optional<BothSides> sides_;        ///< present if both sides of instants are recorded
   ValueSetter setter_;
   Health health_;
   CallTable end_updates_;

@@ -84,14 +84,12 @@ struct CrossingPast {
   std::size_t count;
 };
 
-/// True if each number is within its band at both ends of a step. Then none has crossed. The branches are
-/// predicted well, and keep the loop from being vectorised: vectors would wait for numbers that were stored
-/// one by one just before.
-inline bool are_quiet(const double* before, const double* after, const CrossingPast& past) {
-  for (std::size_t i = 0; i < past.count; ++i) {
-    const double a = before[i], b = after[i], lower = a < b ? a : b, upper = a < b ? b : a;
-    if (!((past.low[i] <= lower) & (upper <= past.high[i]))) return false;
-  }
+/// True if each number is within its band. Numbers that are so at both ends of a step have not crossed. The
+/// branches are predicted well, and keep the loop from being vectorised: vectors would wait for numbers that
+/// were stored one by one just before.
+inline bool are_within(const double* numbers, const CrossingPast& past) {
+  for (std::size_t i = 0; i < past.count; ++i)
+    if (!((past.low[i] <= numbers[i]) & (numbers[i] <= past.high[i]))) return false;
   return true;
 }
 
@@ -133,22 +131,27 @@ struct EventCheck {
   bool at_tick;       ///< True if the step ends at a tick.
   bool looks;         ///< True if steps with numbers that may cross twice are examined.
   bool looks_always;  ///< True if all steps are.
+  /// True if the step begins with the numbers at the end of the last one, and that was not eventful. A number
+  /// that has a band is within it there.
+  bool continues = false;
 };
 
-/// True if a step with numbers beyond their bands, or with an edge, must be repeated from event to event.
+/// True if a step with numbers beyond their bands, or with an edge, must be repeated from event to event. The
+/// arguments are passed in registers: a quiet step then stores nothing for this call.
 [[gnu::noinline]] inline bool is_eventful_beyond_bands(const double* before, const double* after,
-                                                       CrossingPast past, const EventCheck& step) {
+                                                       double* numbers, std::size_t count, EventCheck step) {
+  const CrossingPast past(numbers, count);
   const bool may = may_cross_twice(before, after, past, step.length);
-  return step.edge || step.looks_always || (step.looks && may) || sign_changes(before, after, past.count) ||
-         (step.at_tick && almost_crosses(before, after, past.count));
+  return step.edge || step.looks_always || (step.looks && may) || sign_changes(before, after, count) ||
+         (step.at_tick && almost_crosses(before, after, count));
 }
 
 /// True if the step must be repeated from event to event.
-inline bool is_eventful(const double* before, const double* after, CrossingPast past,
-                        const EventCheck& step) {
-  if (!step.edge && !step.looks_always && are_quiet(before, after, past)) [[likely]]
+inline bool is_eventful(const double* before, const double* after, CrossingPast past, EventCheck step) {
+  if (!step.edge && !step.looks_always && (step.continues || are_within(before, past)) &&
+      are_within(after, past)) [[likely]]
     return false;
-  return is_eventful_beyond_bands(before, after, past, step);
+  return is_eventful_beyond_bands(before, after, &past.length, past.count, step);
 }
 
 }  // namespace stepwire::solve

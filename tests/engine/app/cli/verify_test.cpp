@@ -209,7 +209,21 @@ TEST_CASE("verify agrees with a run whose call had another step and solver") {
               .code < 2);
   const Done done = run_program(folder, {"verify", "out"});
   CHECK(done.code == 0);
-  CHECK(done.out == "out: 2 signals in 101 rows: all bits agree\n");
+  CHECK(done.out ==
+        "out: 2 signals in 101 rows: all bits agree\n"
+        "out: lag.yaml has another step, stop or solver than the run, which its call may have set; "
+        "those of the run are used\n");
+}
+
+TEST_CASE("verify tells that the step of the file has changed since the run") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out"}).code < 2);
+  CHECK_THAT(run_program(folder, {"verify", "out"}).out, !Contains("another step"));
+  change(folder, "lag.yaml", "solver: rk4", "solver: euler");
+  const Done done = run_program(folder, {"verify", "out"});
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out, Contains("lag.yaml has another step, stop or solver than the run"));
 }
 
 TEST_CASE("verify says that run.json is cut short, wherever it was cut") {

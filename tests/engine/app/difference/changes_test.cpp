@@ -181,6 +181,16 @@ TEST_CASE("a block that moved into a part or out of it has one line") {
   CHECK(std::ranges::count(out, "> holder.spring moved to leaf") == 1);
 }
 
+TEST_CASE("two equal blocks that moved into a part are there under their own names") {
+  const std::string head = "stepwire: 1\nstep: 1 ms\nstop: 1 s\nblocks:\n  k: {block: Constant, value: 1}\n",
+                    twice = "  g1: {block: Gain, u: k, gain: 2}\n  g2: {block: Gain, u: g1, gain: 2}\n";
+  const std::string amplifier = "stepwire: 1\ninputs: {k: {}}\noutputs: {y: g2}\nblocks:\n" + twice;
+  const Lines found = lines(compared(head + twice, head + "  amp: {diagram: amplifier.yaml, k: k}\n", {},
+                                     {{"amplifier.yaml", amplifier}}));
+  CHECK(std::ranges::count(found, "> g1 moved to amp.g1") == 1);
+  CHECK(std::ranges::count(found, "> g2 moved to amp.g2") == 1);
+}
+
 TEST_CASE("the result has sections, values and places as data") {
   const Difference found = compared(loop_yaml, with(loop_yaml, "400 N/m", "600 N/m"));
   REQUIRE(found.files.size() == 1);
@@ -203,6 +213,16 @@ TEST_CASE("a block of another type has the values of both that differ, also defa
   CHECK(lines(derivative, lag) == Lines{"~ f: Derivative -> Lag", "~ f.tau: 0.001 s (default) -> 1 s"});
 }
 
+TEST_CASE("a share and a number are other values where a key takes both, and one value elsewhere") {
+  const auto text = [](const std::string& within, const std::string& gain) {
+    return "stepwire: 1\nstep: 1 ms\nstop: 1 s\nblocks:\n  k: {block: Constant, value: 6 N}\n"
+           "  f: {block: Pulse, amplitude: 6 N, period: 1 s, width: " +
+           gain + "}\nclaims: [{that: x, final: f, equals: 6 N, within: " + within + "}]\n";
+  };
+  CHECK(lines(text("0.01", "0.5"), text("1 %", "0.5")).size() == 1);
+  CHECK(lines(text("1 %", "0.5"), text("1%", "50 %")).empty());
+}
+
 TEST_CASE("a file that cannot be read is refused") {
   CHECK_THROWS_AS(compared("stepwire: [", loop_yaml), yaml::Error);
 }
@@ -223,6 +243,34 @@ TEST_CASE("all of many renamed blocks are found, also where each has another val
       CHECK(std::ranges::count(found, fmt::format("> a{} is now b{}", i, i)) == 1);
     CHECK(found.size() == (gain == 2.0 ? 300 : 600));
   }
+}
+
+// Blocks of one kind are alike until the names of their neighbours are known.
+TEST_CASE("one changed value among many renamed blocks exchanges no names") {
+  const auto pairs = [](const char* prefix, int changed) {
+    std::string text = "stepwire: 1\nstep: 1 ms\nstop: 1 s\nblocks:\n";
+    for (int i = 0; i < 150; ++i)
+      text += fmt::format(
+          "  {0}s{1}: {{block: Constant, value: {2}}}\n  {0}g{1}: {{block: Gain, u: {0}s{1}, gain: {3}}}\n",
+          prefix, i, i + 10, i == changed ? 3 : 2);
+    return text;
+  };
+  const Lines found = lines(pairs("a", -1), pairs("b", 70));
+  for (int i = 0; i < 150; ++i) CHECK(std::ranges::count(found, fmt::format("> ag{0} is now bg{0}", i)) == 1);
+  CHECK(found.size() == 301);
+}
+
+TEST_CASE("one changed value in a chain of many equal blocks exchanges no names") {
+  const auto equal = [](char letter, int changed) {
+    std::string text = "stepwire: 1\nstep: 1 ms\nstop: 1 s\nblocks:\n  in: {block: Clock}\n";
+    for (int i = 0; i < 250; ++i)
+      text += fmt::format("  {}{}: {{block: Gain, u: {}, gain: {}}}\n", letter, i,
+                          i == 0 ? "in" : fmt::format("{}{}", letter, i - 1), i == changed ? 3 : 2);
+    return text;
+  };
+  const Lines found = lines(equal('a', -1), equal('b', 120));
+  for (int i = 0; i < 250; ++i) CHECK(std::ranges::count(found, fmt::format("> a{0} is now b{0}", i)) == 1);
+  CHECK(found.size() == 251);
 }
 
 TEST_CASE("many claims are matched by their text, then by their label") {

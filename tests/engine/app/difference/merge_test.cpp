@@ -196,6 +196,15 @@ TEST_CASE("one name for two things, and two names for one, are conflicts") {
   CHECK(!merged(with(loop_yaml, "  sum: ", gain), with(loop_yaml, "  sum: ", sine)).conflicts.empty());
 }
 
+TEST_CASE("a new name that the other side has given to another block is a conflict in the file") {
+  const std::string renamed = everywhere(loop_yaml, "body", "cart");
+  const std::string theirs =
+      with(loop_yaml, "  sum: ", "  cart: {block: Sine, amplitude: 1 N, frequency: 5 Hz}\n  sum: ");
+  const Merged result = merged(renamed, theirs);
+  REQUIRE(!result.conflicts.empty());
+  CHECK(result.text.find("conflicts:") != std::string::npos);
+}
+
 TEST_CASE("a merged model with a fault that neither side has is refused") {
   const std::string ours =
       with(loop_yaml, "record: [body.position, spring]", "record: [body.position, spring]\nunits: {push: N}");

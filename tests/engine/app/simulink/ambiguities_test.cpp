@@ -76,12 +76,52 @@ TEST_CASE("two conditions of one kind and two lines to one input are reported") 
       "W: has two lines to its port in:1; the last one is written");
 }
 
+TEST_CASE("a line to a block that is not there is reported, one to a block that is commented out is not") {
+  check_fault(number(1, "1") + sink(3) + line("1#out:1", {"3#in:1", "999#in:1"}),
+              "has a line to a block with the SID 999, which the system lacks");
+  const Imported imported(ModelText{number(1, "1") + sink(3) + block("Gain", "G", 4, {{"Commented", "on"}}) +
+                                    line("1#out:1", {"3#in:1", "4#in:1"})});
+  CHECK_FALSE(imported.result.is_unfinished());
+}
+
+TEST_CASE("sample times of ports and atomic systems are reported, and that of a Constant is translated") {
+  const auto deviations = [](const std::string& system) {
+    return Imported(ModelText{system}).notes(NoteKind::deviates);
+  };
+  CHECK_THAT(deviations(block("SubSystem", "S", 1, {{"TreatAsAtomicUnit", "on"}, {"SystemSampleTime", "0.1"}},
+                              "<System></System>")),
+             Contains("S: has the sample time 0.1, which is not translated"));
+  CHECK_THAT(deviations(inport("In1", 1, {{"SampleTime", "0.1"}})), Contains("In1: has the sample time 0.1"));
+  CHECK_THAT(deviations(inport("In1", 1, {{"SampleTime", "-1"}})), !Contains("sample time"));
+}
+
+// The count of initial values is that of the periods, and may be that of the elements as well.
+TEST_CASE("initial values of a Delay that may be those of its periods are not guessed") {
+  const std::string model =
+      number(1, "1") + sink(3) +
+      block("Delay", "D", 2, {{"DelayLength", "3"}, {"InitialCondition", "[7 8 9]"}, {"SampleTime", "0.1"}}) +
+      line("1#out:1", {"2#in:1"}) + line("2#out:1", {"3#in:1"});
+  CHECK(Imported(ModelText{model}).result.is_unfinished());
+}
+
+// A counter that inherits the rate of the Constant counts 11 ticks of 0.1 s in 1 s.
+TEST_CASE("blocks behind a Constant with a sample time have its rate") {
+  const std::string counter = block("Constant", "One", 1, {{"Value", "1"}, {"SampleTime", "0.1"}}) +
+                              block("Sum", "Add", 2, {{"Inputs", "++"}}) +
+                              block("UnitDelay", "Last", 3, {{"SampleTime", "-1"}}) + sink(4) +
+                              line("1#out:1", {"2#in:1"}) + line("2#out:1", {"3#in:1", "4#in:1"}) +
+                              line("3#out:1", {"2#in:2"});
+  const Imported imported(ModelText{counter});
+  CHECK(imported.last("y") == 11.0);
+}
+
 TEST_CASE("two senders of one tag are reported where they have one scope") {
-  const std::string two = number(1, "1") + line("1#out:1", {"2#in:1", "3#in:1"});
+  const std::string one = number(1, "1") + line("1#out:1", {"2#in:1"}),
+                    two = number(1, "1") + line("1#out:1", {"2#in:1", "3#in:1"});
   check_fault(two + sender(2, "local") + sender(3, "local"), "Send3: sends the tag 'a', as 'Send2' does");
   const std::string inner = subsystem("S", 4, sender(5, "global"));
   check_fault(two + sender(2, "global") + inner, "S/Send5: sends the tag 'a', as 'Send2' does");
-  CHECK_FALSE(Imported(ModelText{two + sender(2, "global") + subsystem("S", 4, sender(5, "local"))})
+  CHECK_FALSE(Imported(ModelText{one + sender(2, "global") + subsystem("S", 4, sender(5, "local"))})
                   .result.is_unfinished());
 }
 

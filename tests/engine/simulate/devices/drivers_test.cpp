@@ -8,9 +8,11 @@
 #include <unistd.h>
 #include <catch2/catch.hpp>
 #include <cstring>
+#include <thread>
 
 #include "engine/base/driver/open_device.hpp"
 #include "engine/base/io/environment_error.hpp"
+#include "engine/simulate/devices/wired_device.hpp"
 
 namespace stepwire::driver {
 namespace {
@@ -177,6 +179,20 @@ TEST_CASE("what is sent by UDP has magic, count, rising sequence and values") {
   CHECK(second.substr(24) == bytes_of(0.25));
 }
 
+TEST_CASE("a device by UDP is ready once a packet of its own has come since the start") {
+  const std::uint16_t port = free_port();
+  const Peer peer(port);
+  OpenDevice device = opened("udp", {{"listen", std::to_string(port)}, {"inputs", "force in N"}});
+  peer.send(packet(1, {1.0}));
+  start(device, {});
+  CHECK_FALSE(device.is_ready());
+  peer.send("SWU?");
+  CHECK_FALSE(device.is_ready());
+  peer.send(packet(2, {2.0}));
+  CHECK(read_until(device, 2.0) == std::vector{2.0});
+  CHECK(device.is_ready());
+}
+
 TEST_CASE("values by UDP that are older than stated are stale, and a restarted sender is taken then") {
   const std::uint16_t port = free_port();
   const Peer peer(port);
@@ -205,6 +221,24 @@ TEST_CASE("a device by UDP can be the clock: it waits for packets and counts tho
   CHECK(device.wait(5000 * ms) == 1);
   peer.send(packet(4, {1.0}));
   CHECK(device.wait(5000 * ms) == 3);
+}
+
+TEST_CASE("samples of a clock with another period than the loop are told") {
+  const std::uint16_t port = free_port();
+  const Peer peer(port);
+  OpenDevice device =
+      opened("udp", {{"listen", std::to_string(port)}, {"inputs", "force in N"}, {"stale", "20 s"}});
+  start(device, {});
+  std::thread sender([&] {
+    for (std::uint64_t i = 1; i <= 15; ++i) {
+      peer.send(packet(i, {1.0}));
+      ::usleep(4'000);
+    }
+  });
+  devices::DeviceClock clock(device, ms);
+  for (std::int64_t tick = 1; tick <= 13; ++tick) clock.sleep_until(clock.now() + ms);
+  sender.join();
+  CHECK_THAT(clock.other_period(), Contains("a period of the loop is 1 ms"));
 }
 
 TEST_CASE("wrong settings of UDP are refused in a sentence") {
@@ -278,7 +312,9 @@ TEST_CASE("two processes share memory: the client has the channels of the host, 
   CHECK(std::string(client.outputs()[0].name) + client.outputs()[0].unit == "currentA");
   start(client, {0.25});
   const double seen[] = {1.0, 2.0}, current = 0.5;
+  CHECK_FALSE(client.is_ready());
   CHECK(host->write(seen) == STEPWIRE_OK);
+  CHECK(client.is_ready());
   std::vector<double> values(2);
   CHECK(client.read(values.data()) == STEPWIRE_OK);
   CHECK(values == std::vector{1.0, 2.0});

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <thread>
 
 #include "engine/base/table/table_file.hpp"
 #include "engine/simulate/devices/hosted_plant.hpp"
@@ -144,6 +145,55 @@ TEST_CASE("a record that has ended ends the use of the devices, unless its last 
   }
 }
 
+namespace {
+
+/// Memory that the other side of a rig shares, and the rig file for it.
+struct Shared {
+  std::string name = "stepwire-rig-test-" + std::to_string(::getpid());
+  driver::OpenDevice host{
+      driver::load_driver(driver::driver_file("shared")),
+      {{"name", name}, {"role", "host"}, {"inputs", "coil in A"}, {"outputs", "hand in N"}}};
+  Scratch folder;
+  std::string file(const std::string& rest) const {
+    return folder.file("rig.yaml",
+                       "devices: {plant: {driver: shared, name: " + name +
+                           "}}\ninputs: {force: {device: plant, channel: hand}}\n"
+                           "outputs: {current: {device: plant, channel: coil, limits: [0 A, 1 A]}}\n" +
+                           rest);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a loop begins with the first values of its devices, and shows its safe values until then") {
+  for (const std::string guard : {"guard: false\n", "guard: true\n"}) {
+    Shared other;
+    const double zero = 0.0;
+    other.host.start(10'000'000, &zero);
+    std::thread later([&] {
+      double coil = 0.0;
+      while (coil != 0.1) other.host.read(&coil);
+      const double hand = 7.0;
+      other.host.write(&hand);
+    });
+    Rig rig(other.file(guard), plan_text(diagram_yaml), 0.01);
+    later.join();
+    std::vector<double> inputs{3.0, 0.0, 0.0};
+    rig.device().read(inputs.data());
+    CHECK(inputs[0] == 7.0);
+  }
+}
+
+TEST_CASE("a device that gives no value in time is named") {
+  for (const std::string guard : {"guard: false\n", "guard: true\n"}) {
+    Shared other;
+    const double zero = 0.0;
+    other.host.start(10'000'000, &zero);
+    CHECK_THROWS_WITH(Rig(other.file("wait: 50 ms\n" + guard), plan_text(diagram_yaml), 0.01),
+                      Contains("plant: no value has come within 0.05 s"));
+  }
+}
+
 TEST_CASE("the faults of a rig file have their places, all at once") {
   Opened one(R"(inputs:
   forse: {device: card, channel: volt}
@@ -227,6 +277,83 @@ record: [slide]
     INFO(fault);
     CHECK(seen == expected);
   }
+}
+
+namespace {
+
+const std::string slide_yaml = R"(inputs: {push: {default: 3}}
+outputs: {place: {signal: slide, safe: 0}}
+blocks: {slide: {block: Gain, gain: 1, u: push}}
+record: [slide]
+)";
+
+PlantCall shared_plant() {
+  PlantCall call;
+  call.driver = "shared";
+  call.settings = {{"name", "stepwire-plant-test-" + std::to_string(::getpid())}};
+  call.inhibit = 20.0;
+  return call;
+}
+
+driver::OpenDevice client_of(const PlantCall& call) {
+  return {driver::load_driver(driver::driver_file("shared")),
+          {{"name", call.settings.front().second}, {"stale", "20 s"}}};
+}
+
+}  // namespace
+
+TEST_CASE("the inputs of a rig have their defaults before the first command") {
+  const auto plan = plan_text(slide_yaml);
+  const PlantCall call = shared_plant();
+  HostedPlant plant(call, plan, 0.01);
+  double push = 3.0;
+  plant.read(&push);
+  CHECK(push == 3.0);
+  driver::OpenDevice client = client_of(call);
+  const double safe = 0.0, command = 0.5;
+  client.start(10'000'000, &safe);
+  client.write(&command);
+  plant.read(&push);
+  CHECK(push == 0.5);
+}
+
+TEST_CASE("sensors with a latency show the first value until the next one has come") {
+  const auto plan = plan_text(slide_yaml);
+  PlantCall call = shared_plant();
+  call.latency = 0.02;
+  HostedPlant plant(call, plan, 0.01);
+  driver::OpenDevice client = client_of(call);
+  const double safe = 0.0;
+  client.start(10'000'000, &safe);
+  std::vector<double> seen;
+  for (const double place : {5.0, 6.0, 7.0, 8.0, 9.0}) {
+    double push = 0.0;
+    plant.read(&push);
+    plant.write(&place);
+    client.read(&seen.emplace_back());
+  }
+  CHECK(seen == std::vector{5.0, 5.0, 5.0, 6.0, 7.0});
+}
+
+TEST_CASE("shared memory has one client at a time") {
+  const auto plan = plan_text(slide_yaml);
+  const PlantCall call = shared_plant();
+  HostedPlant plant(call, plan, 0.01);
+  { const driver::OpenDevice first = client_of(call); }
+  const driver::OpenDevice client = client_of(call);
+  CHECK_THROWS_WITH(client_of(call), Contains("is in use by another loop"));
+}
+
+TEST_CASE("of two inputs of one channel the stricter limits hold") {
+  Opened one(
+      "inputs:\n  force: {device: card, channel: volt, scale: 1 N/V, rate: 10 N/s}\n"
+      "  arm.1: {device: card, channel: volt, scale: 1 rad/V}\nguard: false\n");
+  one.open();
+  one.read();
+  CHECK(one.rig->device().healthy());
+  one.read();
+  CHECK_FALSE(one.rig->device().healthy());
+  CHECK_THAT(one.rig->trouble(), Contains("card.volt"));
 }
 
 }  // namespace stepwire::devices

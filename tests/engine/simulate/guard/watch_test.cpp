@@ -233,8 +233,8 @@ TEST_CASE("commands do not keep a guard from its inputs") {
   const std::string name = "stepwire-test-reads-" + std::to_string(::getpid());
   RigHost rig(name);
   rig.step(1.0);
-  GuardCall call{
-      {{"rig", "shared", driver::driver_file("shared"), {{"name", name}, {"stale", "100 s"}}}}, {true}, {}};
+  GuardCall call{{{"rig", "shared", driver::driver_file("shared"), {{"name", name}, {"stale", "100 s"}}}},
+                 {InputUse::held}};
   call.limits.period = 200 * ms;
   call.limits.late = 100'000 * ms;
   call.limits.inputs = {{"rig.force"}};
