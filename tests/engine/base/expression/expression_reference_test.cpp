@@ -80,7 +80,7 @@ class Maker {
 
   Formula power(int depth) {
     const Formula a = make(depth - 1), b = make(depth - 1);
-    return {in(a, 9) + "^" + in(b, 7), fn::pow(a.value, b.value), 8};
+    return {in(a, 9) + "^" + in(b, 7), stepwire::fn::pow(a.value, b.value), 8};
   }
 
   template <class Value>
