@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sched.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -30,6 +31,8 @@ using namespace stepwire;
 
 constexpr double safe = 0.125;    // [A]
 constexpr double longest = 60.0;  // [s]
+constexpr double run_in = 0.1;    // before a fault [s]
+constexpr double watched = 0.3;   // after a fault that lets the loop go on [s]
 
 double now() {
   timespec time{};
@@ -114,7 +117,7 @@ class Host {
     return now() - begin;
   }
   /// Returns the longest time within a duration in which the current was neither safe nor another [s].
-  double longest_hold(double duration = 1.0) {
+  double longest_hold(double duration) {
     const double begin = now();
     double last = look(), changed = begin, hold = 0.0;
     while (now() - begin < duration) {
@@ -144,12 +147,17 @@ struct Place {
   std::string program, folder, rate;
 };
 
+/// File with what the loop prints.
+std::string report_file(const Place& place) {
+  return place.folder + "/report.txt";
+}
+
 pid_t start(const Place& place) {
   const pid_t process = ::fork();
   if (process != 0) return process;
-  const int none = ::open("/dev/null", O_WRONLY);
-  ::dup2(none, 1);
-  ::dup2(none, 2);
+  const int report = ::open(report_file(place).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  ::dup2(report, 1);
+  ::dup2(report, 2);
   std::signal(SIGXFSZ, SIG_IGN);
   const sched_param normal{};
   ::sched_setscheduler(0, SCHED_OTHER, &normal);
@@ -230,6 +238,11 @@ std::vector<Fault> all_faults() {
           ends("endless step", [](Host& host, pid_t) { host.values[1] = endless; }),
           ends("output not finite", [](Host& host, pid_t) { host.values[1] = not_a_number; }),
           ends("guard killed", [](Host&, pid_t loop) { ::kill(guard_of(loop), SIGKILL); }),
+          ends("loop and guard killed",
+               [](Host&, pid_t loop) {
+                 ::kill(guard_of(loop), SIGKILL);
+                 ::kill(loop, SIGKILL);
+               }),
           ends("guard stopped", [](Host&, pid_t loop) { ::kill(guard_of(loop), SIGSTOP); }),
           ends("sensor not finite",
                [](Host& host, pid_t) {
@@ -253,11 +266,11 @@ std::vector<Fault> all_faults() {
           {"full disk",
            [](Host& host, pid_t loop) {
              fill_disk(loop);
-             return host.longest_hold();
+             return host.longest_hold(watched);
            }},
           {"load of 100 %", [](Host& host, pid_t) {
              const Load load;
-             return host.longest_hold();
+             return host.longest_hold(watched);
            }}};
 }
 
@@ -272,13 +285,16 @@ void print(const char* name, std::vector<double> times, double period) {
   std::fflush(stdout);
 }
 
-/// Ends a loop and its guard, so that an exclusive device is free.
+/// Ends a loop and its guard, which is this process' child then, so that an exclusive device is free.
 void end(pid_t loop) {
   const pid_t guard = guard_of(loop);
   ::kill(loop, SIGKILL);
   ::waitpid(loop, nullptr, 0);
-  if (guard > 0) ::kill(guard, SIGCONT);
-  while (guard > 0 && ::kill(guard, 0) == 0) ::usleep(1000);
+  if (guard <= 0) return;
+  ::kill(guard, SIGCONT);
+  ::waitpid(guard, nullptr, 0);
+  while (::waitpid(-1, nullptr, WNOHANG) > 0) {
+  }
 }
 
 /// Returns the time of a fault; std::nullopt where the loop has ended before it.
@@ -286,18 +302,20 @@ std::optional<double> time_of_try(const Fault& fault, const Way& way, const Plac
   Host host(way);
   const pid_t loop = start(place);
   if (std::isinf(host.until(false))) fmt::print(stderr, "{}: a loop has not begun\n", fault.name);
-  host.longest_hold(0.25);  // it runs in
+  host.longest_hold(run_in);
   std::optional<double> time;
   if (guard_of(loop) > 0) time = fault.time(host, loop);
   end(loop);
   return time;
 }
 
-/// Starts another loop in place of one that has ended before its fault.
+/// Starts another loop in place of one that has ended before its fault, and prints what it said.
 double time_of(const Fault& fault, const Way& way, const Place& place) {
   for (;;) {
     if (const auto time = time_of_try(fault, way, place)) return *time;
-    fmt::print(stderr, "{}: a loop has ended before its fault\n", fault.name);
+    std::ifstream report(report_file(place));
+    const std::string text(std::istreambuf_iterator<char>(report), {});
+    fmt::print(stderr, "{}: a loop has ended before its fault\n{}\n", fault.name, text);
   }
 }
 
@@ -318,6 +336,7 @@ int main(int count, char** arguments) {
                     arguments[2]};
   write_files(place.folder, period);
   become_first();
+  ::prctl(PR_SET_CHILD_SUBREAPER, 1);
   const int port = 20'000 + ::getpid() % 20'000;
   const Way shared{"shared", "driver: shared, name: " + name, {{"name", name}, {"role", "host"}}};
   const Way udp{

@@ -33,21 +33,28 @@ bool is_child(const std::filesystem::path& process, const std::string& name, int
 
 }  // namespace
 
-RigHost::RigHost(const std::string& name)
-    : device_(driver::load_driver(driver::driver_file("shared")),
-              {{"name", name}, {"role", "host"}, {"inputs", "current in A"}, {"outputs", "force in N"}}),
+RigHost::RigHost(const std::string& name, const std::string& stale)
+    : device_(driver::load_driver(driver::driver_file("shared")), {{"name", name},
+                                                                   {"role", "host"},
+                                                                   {"inputs", "current in A"},
+                                                                   {"outputs", "force in N"},
+                                                                   {"stale", stale}}),
       current_(std::nan("")) {
   const double force = 0.0;
   device_.start(10'000'000, &force);
-  device_.safe();
+}
+
+/// The amplifiers keep a stale value. Before the first command the memory has a zero, which is no current.
+double RigHost::look() {
+  std::this_thread::sleep_for(period);
+  double current = 0.0;
+  if (device_.read(&current) != STEPWIRE_FAILED && (current != 0.0 || !std::isnan(current_)))
+    current_ = current;
+  return current_;
 }
 
 double RigHost::step(double force) {
-  std::this_thread::sleep_for(period);
-  double current = 0.0;
-  // The amplifiers keep a stale value. Before the first command the memory has a zero, which is no current.
-  if (device_.read(&current) != STEPWIRE_FAILED && (current != 0.0 || !std::isnan(current_)))
-    current_ = current;
+  look();
   device_.write(&force);
   return current_;
 }
@@ -55,6 +62,12 @@ double RigHost::step(double force) {
 int RigHost::steps_until(double current, int most) {
   int steps = 0;
   while (steps <= most && step(1.0) != current) ++steps;
+  return steps;
+}
+
+int RigHost::silent_until(double current, int most) {
+  int steps = 0;
+  while (steps <= most && look() != current) ++steps;
   return steps;
 }
 

@@ -11,16 +11,21 @@ namespace stepwire {
 /// its own time.
 class RigHost {
  public:
-  /// Creates the shared memory of this name.
-  explicit RigHost(const std::string& name);
+  /// Creates the shared memory of this name. A current older than `stale` is not fresh.
+  explicit RigHost(const std::string& name, const std::string& stale = "100 s");
 
   /// Waits for a period of 10 ms, offers the force, and returns the current that is written now; NaN before
   /// any.
   double step(double force);
   /// Returns the number of steps until the current is that value, at most `most` + 1.
   int steps_until(double current, int most);
+  /// Returns the same, and offers no force meanwhile.
+  int silent_until(double current, int most);
+  bool is_fresh() { return device_.read(&current_) == STEPWIRE_OK; }
 
  private:
+  double look();
+
   driver::OpenDevice device_;
   double current_;
 };

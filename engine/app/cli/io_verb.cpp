@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <thread>
 
@@ -19,9 +20,19 @@ constexpr int steps_of_line = 20;  // between two printed lines
 constexpr double most_duration = 3600.0;
 
 struct IoCall {
-  std::string file, set;
-  double duration = 5.0;
+  std::string file, set, duration_text = "5";
+  double duration = 0.0;  // [s]
 };
+
+/// Returns a duration: "10" in seconds, or with a unit.
+double duration_of(const std::string& text) {
+  const auto quantity = unit::parse_quantity(text);
+  const unit::Dimension time = unit::parse_unit("s")->dimension;
+  if (quantity && quantity->dimension.value_or(time) == time && quantity->value > 0.0 &&
+      quantity->value <= most_duration)
+    return quantity->value;
+  throw yaml::Error(yaml::Fault{{"--duration " + text, {}}, "", "must be above 0 and at most 1 h", {}});
+}
 
 [[noreturn]] void refuse(const IoCall& call, const std::string& message) {
   throw yaml::Error(yaml::Fault{{"--set " + call.set, {}}, "", message, {}});
@@ -67,7 +78,8 @@ void show(const devices::Rig& rig, const devices::Ports& ports, const std::vecto
 void step_all(const IoCall& call, devices::Rig& rig, const devices::Ports& ports) {
   std::vector<double> inputs(ports.inputs.size());
   const std::vector<double> outputs = wanted_outputs(call, ports);
-  const int steps = static_cast<int>(std::min(call.duration, most_duration) / period);
+  const int steps = static_cast<int>(std::ceil(call.duration / period));
+  rig.device().start();
   auto next = std::chrono::steady_clock::now();
   for (int i = 0; i < steps && rig.device().healthy() && !interrupted(); ++i) {
     rig.device().read(inputs.data());
@@ -97,8 +109,11 @@ Action declare_io(CLI::App& verb) {
   const auto call = std::make_shared<IoCall>();
   verb.add_option("RIG", call->file, "a file of devices and wires, as of loop --io")->required();
   verb.add_option("--set", call->set, "moves one output within its limits and its rate: current=0.05A");
-  verb.add_option("--duration", call->duration, "for how long [s]")->capture_default_str();
-  return [call](const Registry&) { return watch_inputs(*call); };
+  verb.add_option("--duration", call->duration_text, "for how long [s]")->capture_default_str();
+  return [call](const Registry&) {
+    call->duration = duration_of(call->duration_text);
+    return watch_inputs(*call);
+  };
 }
 
 }  // namespace

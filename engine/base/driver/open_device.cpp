@@ -1,13 +1,16 @@
 #include "engine/base/driver/open_device.hpp"
 
 #include <dlfcn.h>
+#include <elf.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <map>
 
 #include "engine/base/io/environment_error.hpp"
@@ -50,6 +53,23 @@ std::string unknown_driver(const std::string& name) {
   return fmt::format("there is no driver '{}'; {} in {}. STEPWIRE_DRIVERS names further folders", name,
                      names.empty() ? "there is none" : fmt::format("there are {}", fmt::join(names, ", ")),
                      fmt::join(driver_folders(), ", "));
+}
+
+/// Throws where a shared object is shorter than its table of segments says. The loader would map its missing
+/// pages, and end the process by SIGBUS at the first access.
+void require_all_bytes(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  Elf64_Ehdr head{};
+  if (!stream.read(reinterpret_cast<char*>(&head), sizeof head) ||
+      std::memcmp(head.e_ident, ELFMAG, SELFMAG) != 0 || head.e_phentsize != sizeof(Elf64_Phdr))
+    return;  // the loader says what is wrong
+  std::vector<Elf64_Phdr> segments(head.e_phnum);
+  stream.seekg(static_cast<std::streamoff>(head.e_phoff));
+  const auto bytes = static_cast<std::streamsize>(segments.size() * sizeof(Elf64_Phdr));
+  bool whole = static_cast<bool>(stream.read(reinterpret_cast<char*>(segments.data()), bytes));
+  const std::uintmax_t size = fs::file_size(file);
+  for (const Elf64_Phdr& one : segments) whole = whole && one.p_offset + one.p_filesz <= size;
+  if (!whole) throw io::EnvironmentError(fmt::format("the driver {} is cut off; copy it again", file));
 }
 
 /// Throws where a function is missing that every driver has.
@@ -102,6 +122,7 @@ std::string driver_file(const std::string& name) {
 }
 
 const stepwire_driver& load_driver(const std::string& file) {
+  require_all_bytes(file);
   void* const object = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
   using Entry = const stepwire_driver* (*)();
   const auto entry = object ? reinterpret_cast<Entry>(::dlsym(object, "stepwire_driver_v1")) : nullptr;
@@ -112,12 +133,18 @@ const stepwire_driver& load_driver(const std::string& file) {
   return *driver;
 }
 
+/// Returns the sentence of a driver; one that has none is told with its function.
+static std::string reason_of(const stepwire_driver& driver, const char* text, const char* function) {
+  const std::string reason = *text ? text : fmt::format("{} has failed without a reason", function);
+  return fmt::format("driver {}: {}", driver.name, reason);
+}
+
 static void* open_with(const stepwire_driver& driver, const Settings& settings) {
   std::vector<stepwire_setting> all;
   for (const auto& [key, value] : settings) all.push_back({key.c_str(), value.c_str()});
   std::array<char, text_bytes> error{};
   void* const device = driver.open(all.data(), all.size(), error.data(), error.size());
-  if (!device) throw io::EnvironmentError(fmt::format("driver {}: {}", driver.name, error.data()));
+  if (!device) throw io::EnvironmentError(reason_of(driver, error.data(), "open"));
   return device;
 }
 
@@ -144,7 +171,7 @@ bool OpenDevice::is_ready() {
 void OpenDevice::start(std::int64_t period, const double* safe) {
   std::array<char, text_bytes> error{};
   if (driver_.start(device_, period, safe, error.data(), error.size()) != 0)
-    throw io::EnvironmentError(fmt::format("driver {}: {}", driver_.name, error.data()));
+    throw io::EnvironmentError(reason_of(driver_, error.data(), "start"));
   started_ = true;
 }
 

@@ -55,7 +55,8 @@ class OpenDevice {
   /// Return a result of driver.h; one that it does not have is a failure.
   int read(double* values) noexcept { return known(driver_.read(device_, values)); }
   int write(const double* values) noexcept { return known(driver_.write(device_, values)); }
-  int safe() noexcept { return known(driver_.safe(device_)); }
+  /// Has no effect before start().
+  int safe() noexcept { return started_ ? known(driver_.safe(device_)) : STEPWIRE_OK; }
   int wait(std::int64_t limit) noexcept { return driver_.wait(device_, limit); }
   void stop() noexcept;
   /// Returns the line of counts.

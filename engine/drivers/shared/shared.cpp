@@ -44,11 +44,7 @@ class Segment {
     if (is_host_) refuse_living_host();
     const int file = ::shm_open(name_.c_str(),
                                 is_host_ ? O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC : O_RDWR | O_CLOEXEC, 0600);
-    if (file < 0)
-      throw std::runtime_error(is_host_ ? failure("the shared memory " + name_ + " cannot be created")
-                                        : "there is no shared memory " + name_ +
-                                              "; its host, such as 'stepwire rig', "
-                                              "is to be started first");
+    if (file < 0) refuse_open();
     if (!is_host_ && ::flock(file, LOCK_EX | LOCK_NB) != 0) {
       ::close(file);
       throw std::runtime_error("the shared memory " + name_ + " is in use by another loop");
@@ -83,6 +79,13 @@ class Segment {
       throw std::runtime_error("the shared memory " + name_ + " has another layout or cannot be mapped");
     }
     memory_ = static_cast<stepwire_segment*>(memory);
+  }
+  [[noreturn]] void refuse_open() const {
+    if (is_host_) throw std::runtime_error(failure("the shared memory " + name_ + " cannot be created"));
+    if (errno != ENOENT)
+      throw std::runtime_error(failure("the shared memory " + name_ + " cannot be opened"));
+    throw std::runtime_error("there is no shared memory " + name_ +
+                             "; its host, such as 'stepwire rig', is to be started first");
   }
   /// Removes the segment of a host that has ended without doing so.
   void refuse_living_host() const {

@@ -43,6 +43,9 @@ sockaddr_in address_of(const std::string& text, const char* key) {
   const auto colon = text.rfind(':');
   const std::string host = colon == std::string::npos ? "127.0.0.1" : text.substr(0, colon);
   const std::string port = colon == std::string::npos ? text : text.substr(colon + 1);
+  char* end = nullptr;
+  const long number = std::strtol(port.c_str(), &end, 10);
+  if (*end != 0 || number < 1 || number > 65'535) Settings::refuse(key, "has no port from 1 to 65535");
   addrinfo wanted{}, *found = nullptr;
   wanted.ai_family = AF_INET;
   wanted.ai_socktype = SOCK_DGRAM;

@@ -2,17 +2,17 @@
 
 #include <sstream>
 
-#include "engine/base/io/environment_error.hpp"
-
 namespace stepwire::devices {
 
-DirectIo::DirectIo(const Wiring& wiring, guard::Bank& bank, const std::atomic<bool>* interrupt)
-    : bank_(bank), watch_(wiring.limits) {
+DirectIo::DirectIo(const Wiring& wiring, guard::Bank& bank)
+    : bank_(bank), wait_(wiring.wait), watch_(wiring.limits) {
   bank_.use(wiring.uses);
-  bank_.start(wiring.limits.period, watch_.safe());
+}
+
+void DirectIo::start(const std::atomic<bool>* interrupt) {
+  bank_.start(watch_.limits().period, watch_.safe());
   bank_.safe();
-  bank_.await_values(wiring.wait, [&] { return !(interrupt && *interrupt); });
-  if (interrupt && *interrupt) throw io::EnvironmentError(guard::Bank::interrupted);
+  bank_.await_values(wait_, [&] { return !(interrupt && *interrupt); });
 }
 
 DirectIo::~DirectIo() {
@@ -21,8 +21,7 @@ DirectIo::~DirectIo() {
 }
 
 bool DirectIo::accept(int result) noexcept {
-  if (result == STEPWIRE_STALE || result == STEPWIRE_ENDED) watch_.trip(guard::Watch::Cause::stale);
-  if (result == STEPWIRE_FAILED) watch_.trip(guard::Watch::Cause::device);
+  watch_.accept(result, bank_.culprit());
   return !watch_.tripped();
 }
 
@@ -48,8 +47,8 @@ std::vector<std::string> DirectIo::finish() {
   return bank_.reports();
 }
 
-GuardedIo::GuardedIo(const Wiring& wiring, int priority, const std::atomic<bool>* interrupt)
-    : guard_({wiring.devices, wiring.uses, wiring.wait, wiring.limits, priority}, interrupt) {}
+GuardedIo::GuardedIo(const Wiring& wiring, int priority)
+    : guard_({wiring.devices, wiring.uses, wiring.wait, wiring.limits, priority}) {}
 
 std::vector<std::string> GuardedIo::finish() {
   std::vector<std::string> lines;

@@ -13,6 +13,9 @@ namespace stepwire::devices {
 class ChannelIo {
  public:
   virtual ~ChannelIo() = default;
+  /// Starts the devices, with outputs at their safe values, and waits for their first values, until
+  /// `interrupt` is true. Throws EnvironmentError.
+  virtual void start(const std::atomic<bool>* interrupt) = 0;
   /// Reads all inputs. Returns false once the rig is not to be used any more.
   virtual bool read(double* inputs) noexcept = 0;
   /// Writes all outputs, as far as the limits allow. Returns false as read() does.
@@ -28,10 +31,10 @@ class ChannelIo {
 /// Devices in the process of the loop.
 class DirectIo : public ChannelIo {
  public:
-  /// Starts the devices. Throws EnvironmentError.
-  DirectIo(const Wiring& wiring, guard::Bank& bank, const std::atomic<bool>* interrupt = nullptr);
+  DirectIo(const Wiring& wiring, guard::Bank& bank);
   ~DirectIo() override;
 
+  void start(const std::atomic<bool>* interrupt) override;
   bool read(double* inputs) noexcept override;
   bool write(const double* outputs) noexcept override;
   void rest() noexcept override;
@@ -42,16 +45,18 @@ class DirectIo : public ChannelIo {
   bool accept(int result) noexcept;
 
   guard::Bank& bank_;
+  std::int64_t wait_;
   guard::Watch watch_;
 };
 
 /// Devices that a guard has.
 class GuardedIo : public ChannelIo {
  public:
-  /// Starts the guard, at the priority of SCHED_FIFO or with the default policy for 0. Throws
+  /// Starts the process of the guard, at the priority of SCHED_FIFO or with the default policy for 0. Throws
   /// EnvironmentError.
-  GuardedIo(const Wiring& wiring, int priority, const std::atomic<bool>* interrupt = nullptr);
+  GuardedIo(const Wiring& wiring, int priority);
 
+  void start(const std::atomic<bool>* interrupt) override { guard_.start(interrupt); }
   bool read(double* inputs) noexcept override { return guard_.inputs(inputs); }
   bool write(const double* outputs) noexcept override { return guard_.command(outputs); }
   void rest() noexcept override { guard_.rest(); }

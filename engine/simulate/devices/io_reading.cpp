@@ -78,7 +78,9 @@ const Table<InputRequest>& input_table() {
        {"scale", "factor of the channel's value", quantity_form(), &Request::scale},
        {"offset", "added after the factor, in the unit of the port", quantity_form(), &Request::offset},
        {"range", "values beyond are a fault, such as a broken cable", range_form(), &Request::range},
-       {"rate", "largest change in a second; a faster one is a fault, such as an encoder that jumps",
+       {"rate",
+        "largest change in a second between two looks at the device; a faster one is a fault, such as an "
+        "encoder that jumps",
         quantity_form(), &Request::rate},
        {"stuck", "time after which a value that does not change is a fault",
         form::above_zero(form::number("s")), &Request::stuck},
@@ -117,8 +119,8 @@ const Table<DeadManRequest>& dead_man_table() {
       {yaml::needed(
            Table<Request>::Row("device", "name of a device of this file", form::text(), &Request::device)),
        yaml::needed(Table<Request>::Row("channel", "channel of the device", form::text(), &Request::channel)),
-       {"above", "outputs follow the loop while the channel is above, in its unit", form::number(),
-        &Request::above}});
+       {"above", "outputs follow the loop while the channel is above; a bare number is in the channel's unit",
+        quantity_form(), &Request::above}});
   return table;
 }
 

@@ -58,7 +58,7 @@ struct OutputRequest {
 
 struct DeadManRequest {
   std::string device, channel;
-  double above = 0.5;
+  std::optional<PlacedNumber> above;
   yaml::Mark mark;
 };
 

@@ -7,8 +7,9 @@
 
 namespace stepwire::devices {
 
-WiredDevice::WiredDevice(const Wiring& wiring, ChannelIo& io)
+WiredDevice::WiredDevice(const Wiring& wiring, ChannelIo& io, const std::atomic<bool>* interrupt)
     : io_(io),
+      interrupt_(interrupt),
       inputs_(wiring.inputs),
       sensed_(wiring.limits.inputs.size(), 0.0),
       filtered_(wiring.inputs.size(), 0.0) {
@@ -112,11 +113,11 @@ Rig::Rig(const IoRequest& request, const Ports& ports, double period, int priori
   wiring_ = wire(request, ports, *bank_, period);
   if (wiring_.guarded) {
     bank_.reset();  // the guard opens them
-    io_ = std::make_unique<GuardedIo>(wiring_, priority, interrupt);
+    io_ = std::make_unique<GuardedIo>(wiring_, priority);
   } else {
-    io_ = std::make_unique<DirectIo>(wiring_, *bank_, interrupt);
+    io_ = std::make_unique<DirectIo>(wiring_, *bank_);
   }
-  device_ = std::make_unique<WiredDevice>(wiring_, *io_);
+  device_ = std::make_unique<WiredDevice>(wiring_, *io_, interrupt);
   if (wiring_.clock)
     clock_ = std::make_unique<DeviceClock>(bank_->device(*wiring_.clock), wiring_.limits.period);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -15,8 +16,10 @@ namespace stepwire::devices {
 /// Ports of a diagram behind a rig: conversion, filters, limits and rates of change.
 class WiredDevice : public realtime::Device {
  public:
-  WiredDevice(const Wiring& wiring, ChannelIo& io);
+  /// start() returns early once `interrupt` is true.
+  WiredDevice(const Wiring& wiring, ChannelIo& io, const std::atomic<bool>* interrupt = nullptr);
 
+  void start() override { io_.start(interrupt_); }
   void read(double* inputs) noexcept override;
   void write(const double* outputs) noexcept override;
   void rest(const double* outputs) noexcept override;
@@ -36,6 +39,7 @@ class WiredDevice : public realtime::Device {
   void forget() noexcept;
 
   ChannelIo& io_;
+  const std::atomic<bool>* interrupt_;
   std::vector<InputWire> inputs_;
   std::vector<Output> outputs_;
   std::vector<double> safe_, sensed_, commanded_, filtered_;
@@ -68,9 +72,9 @@ class DeviceClock : public realtime::LoopClock {
 /// Opened and checked rig of a loop.
 class Rig : public LoopRig {
  public:
-  /// Opens the devices of a rig file and checks it against the diagram; then starts them. Throws Error and
-  /// EnvironmentError. `period` is that of the loop [s]; `priority` is that of a guard, see GuardedIo.
-  /// Once `interrupt` is true it waits no longer for the first values of the devices.
+  /// Opens the devices of a rig file and checks it against the diagram. Throws Error and EnvironmentError.
+  /// `period` is that of the loop [s]; `priority` is that of a guard, see GuardedIo. `interrupt` ends the
+  /// wait of device().start().
   Rig(const std::string& file, const plan::Plan& plan, double period, int priority = 0,
       const std::atomic<bool>* interrupt = nullptr)
       : Rig(read_io(file), Ports::of(plan), period, priority, interrupt) {}

@@ -80,11 +80,12 @@ class Wirer {
     all_.wait = nanoseconds(request_.wait);
     all_.uses.assign(bank_.devices(), guard::InputUse::unused);
     for (std::size_t i = 0; i < bank_.devices(); ++i) {
+      all_.limits.devices.push_back(request_.devices[i].name);
       for (const stepwire_channel& one : bank_.device(i).inputs())
-        all_.limits.inputs.push_back({channel_name(i, one)});
+        all_.limits.inputs.push_back({.name = channel_name(i, one), .unit = one.unit});
       for (const stepwire_channel& one : bank_.device(i).outputs()) {
         const double rest = std::clamp(0.0, one.least, one.most);
-        all_.limits.outputs.push_back({channel_name(i, one), rest, rest, rest});
+        all_.limits.outputs.push_back({channel_name(i, one), rest, rest, rest, guard::no_limit, one.unit});
       }
     }
   }
@@ -181,6 +182,7 @@ class Wirer {
     const auto of_scale = one.scale ? one.scale->quantity.dimension : std::nullopt;
     const Dimension shown = dimension.value_or(of_scale.value_or(Dimension{}) * unit->dimension);
     all_.inputs.push_back({*port, place->index, line.scale, line.offset, filter, unit_name(shown)});
+    if (!one.unit.empty()) all_.limits.inputs[place->index].unit = one.unit;
     use(place->device, one.stale == Stale::stop ? guard::InputUse::live : guard::InputUse::held);
     limit_input(one, line, dimension, all_.limits.inputs[place->index]);
   }
@@ -247,6 +249,7 @@ class Wirer {
     const std::string subject = "outputs." + one.port;
     const auto& dimension = out_[port].dimension;
     guard::OutputLimits& limits = all_.limits.outputs[place.index];
+    if (!one.unit.empty()) limits.unit = one.unit;
     const Line back{1.0 / line.scale, -line.offset / line.scale};  // from the channel to the port
     set_range(*one.limits, back, dimension, subject + ".limits", limits.least, limits.most);
     const double low = one.limits->least.quantity.value, high = one.limits->most.quantity.value;
@@ -266,23 +269,52 @@ class Wirer {
     all_.outputs.push_back({one.port, port, place.index, line.scale, line.offset, low, high, rate * period_});
   }
 
+  /// Returns the threshold in the unit of the channel, which a bare number has.
+  double above_of(const DeadManRequest& one, const stepwire_channel& channel) {
+    constexpr double half = 0.5;
+    if (!one.above || !one.above->quantity.dimension) return one.above ? one.above->quantity.value : half;
+    const auto unit = unit_of("", channel, one.mark, "dead_man");
+    if (!unit) return half;
+    return (si(one.above, half, unit->dimension, "dead_man.above") - static_cast<double>(unit->offset)) /
+           static_cast<double>(unit->scale);
+  }
+
   void add_dead_man(const DeadManRequest& one) {
     const auto place = place_of(one.device, one.channel, STEPWIRE_INPUT, one.mark, "dead_man");
     if (!place) return;
-    all_.limits.dead_man = guard::DeadMan{place->index, one.above};
+    all_.limits.dead_man = guard::DeadMan{place->index, above_of(one, *place->channel)};
     use(place->device, guard::InputUse::live);
   }
 
   void add_energy(const EnergyRequest& one) {
     const bool is_position = one.speed.empty();
-    const auto force = wired(one.force, one), motion = wired(is_position ? one.position : one.speed, one);
-    if (force && motion) all_.limits.powers.push_back({one.name, *force, *motion, is_position, one.most});
+    const InputWire* const force = wired(one.force, one);
+    const InputWire* const motion = wired(is_position ? one.position : one.speed, one);
+    if (!force || !motion) return;
+    check_energy(one, *force, *motion, is_position);
+    const auto scaled = [](const InputWire& of) {
+      return guard::ScaledInput{of.channel, of.scale, of.offset};
+    };
+    all_.limits.powers.push_back({one.name, scaled(*force), scaled(*motion), is_position, one.most});
   }
-  std::optional<guard::ScaledInput> wired(const std::string& port, const EnergyRequest& one) {
+  /// An angle counts as a pure number: a torque times an angle is an energy.
+  void check_energy(const EnergyRequest& one, const InputWire& force, const InputWire& motion,
+                    bool is_position) {
+    const auto &of_force = in_[force.port].dimension, &of_motion = in_[motion.port].dimension;
+    if (!of_force || !of_motion) return;
+    const char* const unit = is_position ? "J" : "W";
+    Dimension product = *of_force * *of_motion, wanted = unit::parse_unit(unit)->dimension;
+    product.angle = wanted.angle = 0.0;
+    if (product == wanted) return;
+    fault(one.mark, "energy." + one.name,
+          yaml::fault_text("{} times {} is in {}; it must be in {}", in_[force.port].name,
+                           in_[motion.port].name, unit::si_name(product), unit));
+  }
+  const InputWire* wired(const std::string& port, const EnergyRequest& one) {
     for (const InputWire& wire : all_.inputs)
-      if (in_[wire.port].name == port) return guard::ScaledInput{wire.channel, wire.scale, wire.offset};
+      if (in_[wire.port].name == port) return &wire;
     fault(one.mark, "energy." + one.name, yaml::fault_text("'{}' is no wired input", port));
-    return std::nullopt;
+    return nullptr;
   }
 
   void find_clock() {

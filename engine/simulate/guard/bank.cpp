@@ -51,27 +51,32 @@ void Bank::await_values(std::int64_t limit, const std::function<bool()>& goes_on
   }
 }
 
+int Bank::worse(int worst, int result, std::size_t device) noexcept {
+  if (result > worst) culprit_ = device;
+  return std::max(worst, result);
+}
+
 int Bank::read(double* inputs) noexcept {
   int worst = STEPWIRE_OK;
-  for (One& one : devices_) {
-    const int result = one.open->read(inputs + one.first_input);
-    if (result == STEPWIRE_STALE && one.use != InputUse::live) continue;
-    worst = std::max(worst, result);
+  for (std::size_t i = 0; i < devices_.size(); ++i) {
+    const int result = devices_[i].open->read(inputs + devices_[i].first_input);
+    if (result != STEPWIRE_STALE || devices_[i].use == InputUse::live) worst = worse(worst, result, i);
   }
   return worst;
 }
 
 int Bank::write(const double* outputs) noexcept {
   int worst = STEPWIRE_OK;
-  for (One& one : devices_)
-    if (!one.open->outputs().empty()) worst = std::max(worst, one.open->write(outputs + one.first_output));
+  for (std::size_t i = 0; i < devices_.size(); ++i)
+    if (One& one = devices_[i]; !one.open->outputs().empty())
+      worst = worse(worst, one.open->write(outputs + one.first_output), i);
   return worst;
 }
 
 int Bank::safe() noexcept {
   int worst = STEPWIRE_OK;
-  for (One& one : devices_)
-    if (!one.open->outputs().empty()) worst = std::max(worst, one.open->safe());
+  for (std::size_t i = 0; i < devices_.size(); ++i)
+    if (!devices_[i].open->outputs().empty()) worst = worse(worst, devices_[i].open->safe(), i);
   return worst;
 }
 

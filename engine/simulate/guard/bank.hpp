@@ -39,15 +39,15 @@ class Bank {
 
   /// Starts all devices, with a safe value for each output. Throws EnvironmentError.
   void start(std::int64_t period, const double* safe);
-  static constexpr const char* interrupted = "interrupted before all devices had given a value";
   /// Waits until each device with wired inputs has a value, or `goes_on` is false, at most for this time
   /// [ns]. Repeats the safe values until then, since the other side may wait for them. Throws
   /// EnvironmentError with the devices that are silent.
   void await_values(std::int64_t limit, const std::function<bool()>& goes_on);
-  /// Return the worst result of driver.h of the devices.
+  /// Return the worst result of driver.h of the devices; culprit() is the device that had it last.
   int read(double* inputs) noexcept;
   int write(const double* outputs) noexcept;
   int safe() noexcept;
+  std::size_t culprit() const { return culprit_; }
   /// Sets the use of the inputs of each device.
   void use(const std::vector<InputUse>& uses);
   void stop() noexcept;
@@ -62,11 +62,13 @@ class Bank {
     InputUse use = InputUse::live;
   };
 
+  /// Returns the worse of two results.
+  int worse(int worst, int result, std::size_t device) noexcept;
   /// Returns the names of devices with wired inputs that have no value yet.
   std::vector<std::string> silent();
 
   std::vector<One> devices_;
-  std::size_t inputs_ = 0, outputs_ = 0;
+  std::size_t inputs_ = 0, outputs_ = 0, culprit_ = 0;
 };
 
 }  // namespace stepwire::guard

@@ -1,5 +1,12 @@
 #include "engine/simulate/guard/guard_call.hpp"
 
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+
+#include <cstdio>
+#include <exception>
+
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/messages/bytes.hpp"
 
@@ -21,10 +28,11 @@ void devices_through(Stream& stream, std::vector<DeviceSettings>& devices) {
 template <class Stream>
 void limits_through(Stream& stream, WatchLimits& of) {
   all(stream, of.period, of.late, of.ramp);
+  list(stream, of.devices, [&](std::string& one) { all(stream, one); });
   list(stream, of.inputs,
-       [&](InputLimits& one) { all(stream, one.name, one.least, one.most, one.rate, one.stuck); });
+       [&](InputLimits& one) { all(stream, one.name, one.unit, one.least, one.most, one.rate, one.stuck); });
   list(stream, of.outputs,
-       [&](OutputLimits& one) { all(stream, one.name, one.safe, one.least, one.most, one.rate); });
+       [&](OutputLimits& one) { all(stream, one.name, one.unit, one.safe, one.least, one.most, one.rate); });
   std::vector<DeadMan> men;
   if (of.dead_man) men.push_back(*of.dead_man);
   list(stream, men, [&](DeadMan& one) { all(stream, one.input, one.above); });
@@ -47,6 +55,26 @@ std::string bytes_of(GuardCall call) {
   messages::ByteWriter writer;
   through(writer, call);
   return writer.take();
+}
+
+void set_safe(const GuardCall& call) noexcept {
+  try {
+    Bank bank(call.devices);
+    bank.start(call.limits.period, Watch(call.limits).safe());
+    bank.safe();
+    bank.stop();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "the outputs are not at their safe values, because the guard is gone and %s\n",
+                 error.what());
+  }
+}
+
+void become_prompt(int priority) {
+  ::mlockall(MCL_CURRENT | MCL_FUTURE);
+  ::prctl(PR_SET_TIMERSLACK, 1);
+  sched_param parameter{};
+  parameter.sched_priority = priority;
+  if (priority > 0) ::sched_setscheduler(0, SCHED_FIFO, &parameter);
 }
 
 GuardCall guard_call(std::string_view bytes) {

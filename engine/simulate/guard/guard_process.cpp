@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <poll.h>
-#include <sched.h>
-#include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/socket.h>
 
 #include <algorithm>
@@ -13,21 +10,14 @@
 #include <cstdio>
 
 #include "engine/base/io/environment_error.hpp"
+#include "engine/simulate/guard/keeper.hpp"
 
 namespace stepwire::guard {
 
 namespace {
 
-constexpr std::int64_t longest_look = 100'000;  // before and after the expected time of a command [ns]
-
-/// Sets real-time scheduling and locks memory. What the system refuses is left out.
-void become_prompt(int priority) {
-  ::mlockall(MCL_CURRENT | MCL_FUTURE);
-  ::prctl(PR_SET_TIMERSLACK, 1);
-  sched_param parameter{};
-  parameter.sched_priority = priority;
-  if (priority > 0) ::sched_setscheduler(0, SCHED_FIFO, &parameter);
-}
+constexpr std::int64_t longest_look = 100'000;         // before and after the expected time of a command [ns]
+constexpr std::int64_t longest_sleep = 1'000'000'000;  // [ns]
 
 std::string joined(const std::vector<std::string>& lines) {
   return fmt::format("{}", fmt::join(lines, "\n"));
@@ -42,8 +32,6 @@ GuardProcess::GuardProcess(Link& link, int life)
   inputs_.assign(bank_.inputs(), 0.0);
   commands_.assign(bank_.outputs(), 0.0);
   bank_.use(call_.uses);
-  bank_.start(call_.limits.period, watch_.safe());
-  bank_.safe();
 }
 
 GuardProcess::~GuardProcess() {
@@ -54,15 +42,25 @@ GuardProcess::~GuardProcess() {
 
 void GuardProcess::serve() {
   become_prompt(call_.priority);
-  bank_.await_values(call_.wait, [this] { return link_.beats() == seen_ && !is_alone(); });
   life_watch_ = std::thread([this] { watch_life(); });
-  read_devices(monotonic());
-  link_.tell(GuardState::running, "");
+  while (link_.beats() == seen_) link_.await_beat(seen_, monotonic() + longest_sleep);
+  if (link_.request() == GuardRequest::start) start();
   while (!finished_) {
     await_turn();
     turn(monotonic());
   }
   finish();
+}
+
+/// Each further request ends the wait for the first values.
+void GuardProcess::start() {
+  seen_ = link_.beats();
+  bank_.start(call_.limits.period, watch_.safe());
+  bank_.safe();
+  bank_.await_values(call_.wait, [this] { return link_.beats() == seen_; });
+  if (link_.beats() != seen_) return;
+  read_devices(monotonic());
+  link_.tell(GuardState::running, "");
 }
 
 /// Looks without sleep around the expected time of a command: to wake a process takes the loop longer than
@@ -91,6 +89,8 @@ void GuardProcess::turn(std::int64_t now) {
     take_command(now);
   } else if (active_) {
     watch_.waited(now);
+  } else {
+    bank_.safe();  // whoever gets them may wait for the next values
   }
   if (now >= next_read_) read_devices(now);
   if (watch_.tripped()) announce_trip();
@@ -106,22 +106,17 @@ void GuardProcess::take_command(std::int64_t now) {
     bank_.safe();
   } else if (!watch_.tripped() && link_.commands().get(commands_.data())) {
     watch_.commanded(now, commands_.data());
-    if (!watch_.tripped()) accept(bank_.write(watch_.outputs()));
+    if (!watch_.tripped()) watch_.accept(bank_.write(watch_.outputs()), bank_.culprit());
   }
 }
 
 void GuardProcess::read_devices(std::int64_t now) {
-  accept(bank_.read(inputs_.data()));
+  watch_.accept(bank_.read(inputs_.data()), bank_.culprit());
   watch_.sensed(now, inputs_.data());
   link_.inputs().put(inputs_.data());
   link_.note_read(now);
   last_read_ = now;
   next_read_ = now + call_.limits.period / 2;
-}
-
-void GuardProcess::accept(int result) noexcept {
-  if (result == STEPWIRE_STALE || result == STEPWIRE_ENDED) watch_.trip(Watch::Cause::stale);
-  if (result == STEPWIRE_FAILED) watch_.trip(Watch::Cause::device);
 }
 
 /// Writes the safe values, also in each later turn, and then states the reason.
@@ -132,13 +127,8 @@ void GuardProcess::announce_trip() {
   link_.tell(GuardState::tripped, watch_.text());
 }
 
-bool GuardProcess::is_alone() const noexcept {
-  pollfd look{life_, 0, 0};
-  return ::poll(&look, 1, 0) > 0;
-}
-
 void GuardProcess::watch_life() noexcept {
-  pollfd look{life_, 0, 0};
+  pollfd look{life_, POLLRDHUP, 0};
   while (::poll(&look, 1, -1) < 0) {
   }
   link_.beat(GuardRequest::gone);
@@ -147,6 +137,7 @@ void GuardProcess::watch_life() noexcept {
 void GuardProcess::finish() {
   bank_.safe();
   bank_.stop();
+  link_.note_safe();
   link_.put_reports(joined(bank_.reports()));
   const bool was_asked = link_.request() == GuardRequest::finish;
   if (!was_asked)
@@ -162,9 +153,11 @@ int run_guard(int memory, int life) {
   try {
     Link link{io::Descriptor(memory)};
     try {
+      start_keeper(link, life);
       GuardProcess(link, life).serve();
       return 0;
     } catch (const std::exception& error) {
+      link.note_safe();  // no command has come
       link.tell(GuardState::failed, error.what());
     }
   } catch (const std::exception& error) {

@@ -15,22 +15,21 @@ namespace stepwire::guard {
 /// the loop, by a request or because the loop's end of `life` is closed.
 class GuardProcess {
  public:
-  /// Opens and starts the devices, with outputs at their safe values. Throws EnvironmentError.
+  /// Opens the devices. Throws EnvironmentError.
   GuardProcess(Link& link, int life);
   ~GuardProcess();
+  /// Starts the devices at the request of the loop, and serves it until its end. Throws EnvironmentError.
   void serve();
 
  private:
+  void start();
   /// After a trip no command counts, and no time is a deadline.
   bool expects_command() const { return active_ && !watch_.tripped(); }
   void await_turn();
   void turn(std::int64_t now);
   void take_command(std::int64_t now);
   void read_devices(std::int64_t now);
-  void accept(int result) noexcept;
   void announce_trip();
-  /// True once the loop has ended.
-  bool is_alone() const noexcept;
   void watch_life() noexcept;
   void finish();
   std::int64_t next_turn() const;

@@ -24,7 +24,7 @@ enum class GuardState : std::uint32_t {
 };
 
 /// Request of a loop to its guard. `gone` comes in its place once the process of the loop has ended.
-enum class GuardRequest : std::uint32_t { command, rest, finish, gone };
+enum class GuardRequest : std::uint32_t { start, command, rest, finish, gone };
 
 /// Numbers that one process writes and another one reads whole. `lock` is odd while they change. A writer
 /// that ends inside leaves it odd, and the reader keeps its values.
@@ -73,6 +73,10 @@ class Link {
   void note_read(std::int64_t time) noexcept { head_->read_at.store(time, std::memory_order_release); }
   std::int64_t read_at() const { return head_->read_at.load(std::memory_order_acquire); }
 
+  /// Notes that the outputs are at their safe values for good, after the guard or in its place.
+  void note_safe() noexcept { head_->safe.store(1); }
+  bool is_safe() const { return head_->safe.load() != 0; }
+
   void tell(GuardState state, const std::string& reason) noexcept;
   GuardState state() const { return static_cast<GuardState>(head_->state.load(std::memory_order_acquire)); }
   std::string reason() const { return head_->reason.data(); }
@@ -81,7 +85,8 @@ class Link {
 
  private:
   struct Head {
-    std::atomic<std::uint32_t> beats{0}, request{0}, state{0}, inputs_lock{0}, commands_lock{0}, asleep{0};
+    std::atomic<std::uint32_t> beats{0}, request{0}, state{0}, inputs_lock{0}, commands_lock{0}, asleep{0},
+        safe{0};
     std::atomic<int> processor{-1};  // of the last beat
     std::atomic<std::int64_t> read_at{0};
     std::size_t inputs = 0, outputs = 0, call = 0;

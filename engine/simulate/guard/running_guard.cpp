@@ -2,7 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
+#include <fmt/ranges.h>
 #include <pthread.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -40,22 +40,42 @@ constexpr std::int64_t longest_start = 10'000'000'000, longest_end = 2'000'000'0
 
 }  // namespace
 
-RunningGuard::RunningGuard(GuardCall call, const std::atomic<bool>* interrupt)
+RunningGuard::RunningGuard(GuardCall call)
     : call_(std::move(call)),
       link_(call_.limits.inputs.size(), call_.limits.outputs.size(), bytes_of(call_)) {
   spawn();
+}
+
+void RunningGuard::start(const std::atomic<bool>* interrupt) {
+  link_.beat(GuardRequest::start);
   await(GuardState::starting, longest_start + call_.wait, interrupt);
   if (link_.state() != GuardState::running) {
     const bool was_interrupted = interrupt && *interrupt;
-    const std::string reason = was_interrupted ? Bank::interrupted : link_.reason();
+    const std::string reason = why_not_started();
     finish();
-    throw io::EnvironmentError(reason.empty() ? "the guard has not started; without it: guard: false"
-                                              : reason);
+    if (was_interrupted) return;
+    throw io::EnvironmentError(reason);
   }
   process_watch_ = std::thread([this] { watch_process(); });
   sched_param parameter{};
   parameter.sched_priority = call_.priority;
   if (call_.priority > 0) ::pthread_setschedparam(process_watch_.native_handle(), SCHED_FIFO, &parameter);
+}
+
+std::string RunningGuard::why_not_started() const {
+  if (link_.state() == GuardState::failed) return link_.reason();
+  std::vector<std::string> names;
+  for (const DeviceSettings& one : call_.devices) names.push_back(one.name);
+  const std::string devices = fmt::format("{}", fmt::join(names, ", "));
+  const auto change = end_of_process();
+  if (!change)
+    return fmt::format("the guard does not come to an end of the start of {}; a driver there does not return",
+                       devices);
+  if (change->si_code == CLD_EXITED)
+    return fmt::format("the program of the guard has ended with exit code {} before its start",
+                       change->si_status);
+  return fmt::format("the guard was ended by signal {} ({}) while it started {}; a driver there has failed",
+                     change->si_status, ::strsignal(change->si_status), devices);
 }
 
 RunningGuard::~RunningGuard() {
@@ -78,10 +98,15 @@ void RunningGuard::spawn() {
 /// Waits until the state is beyond `worst`, the guard has ended, or the limit has passed.
 void RunningGuard::await(GuardState worst, std::int64_t limit, const std::atomic<bool>* interrupt) {
   const std::int64_t end = monotonic() + limit;
-  while (link_.state() <= worst && monotonic() < end && !(interrupt && *interrupt)) {
-    pollfd look{life_.number(), 0, 0};
-    if (::poll(&look, 1, 1) > 0) return;
-  }
+  while (link_.state() <= worst && monotonic() < end && !(interrupt && *interrupt) && !end_of_process())
+    ::usleep(500);
+}
+
+std::optional<siginfo_t> RunningGuard::end_of_process() const noexcept {
+  siginfo_t change{};
+  const int result = ::waitid(P_PID, static_cast<id_t>(process_), &change, WEXITED | WNOHANG | WNOWAIT);
+  if (result == 0 && change.si_pid == 0) return std::nullopt;
+  return change;
 }
 
 void RunningGuard::watch_process() noexcept {
@@ -104,26 +129,9 @@ bool RunningGuard::is_well() noexcept {
 void RunningGuard::rescue() noexcept {
   if (finishing_ || gone_.exchange(true)) return;
   ::kill(process_, SIGKILL);
-  siginfo_t change{};
-  for (int looks = 0; looks < 2000; ++looks) {
-    const int result = ::waitid(P_PID, static_cast<id_t>(process_), &change, WEXITED | WNOHANG | WNOWAIT);
-    if (result != 0 || change.si_pid != 0) break;
-    ::usleep(50);
-  }
-  set_safe();
-}
-
-/// Allocates, but the loop ends.
-void RunningGuard::set_safe() noexcept {
-  try {
-    Bank bank(call_.devices);
-    bank.start(call_.limits.period, Watch(call_.limits).safe());
-    bank.safe();
-    bank.stop();
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "the outputs are not at their safe values, because the guard is gone and %s\n",
-                 error.what());
-  }
+  for (int looks = 0; looks < 2000 && !end_of_process(); ++looks) ::usleep(50);
+  set_safe(call_);  // allocates, but the loop ends
+  link_.note_safe();
 }
 
 bool RunningGuard::inputs(double* values) noexcept {

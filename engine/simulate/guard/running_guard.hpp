@@ -3,7 +3,9 @@
 #include <sys/types.h>
 
 #include <atomic>
+#include <csignal>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -18,14 +20,16 @@ namespace stepwire::guard {
 /// the outputs to their safe values. The first two are noticed at once.
 class RunningGuard {
  public:
-  /// Starts the guard and waits until its devices are started. Throws EnvironmentError with its reason.
-  /// Once `interrupt` is true it waits no longer for the first values.
-  explicit RunningGuard(GuardCall call, const std::atomic<bool>* interrupt = nullptr);
+  /// Starts the process of the guard, which opens the devices. Throws EnvironmentError.
+  explicit RunningGuard(GuardCall call);
   /// Ends it; the devices are at their safe values.
   ~RunningGuard();
   RunningGuard(const RunningGuard&) = delete;
   RunningGuard& operator=(const RunningGuard&) = delete;
 
+  /// Lets the guard start the devices, and waits for their first values, until `interrupt` is true. Throws
+  /// EnvironmentError with the guard's reason.
+  void start(const std::atomic<bool>* interrupt = nullptr);
   /// Returns the last inputs. False once the guard has tripped or is gone.
   bool inputs(double* values) noexcept;
   bool command(const double* values) noexcept;
@@ -38,10 +42,13 @@ class RunningGuard {
 
  private:
   void spawn();
+  /// Returns why the guard is not running.
+  std::string why_not_started() const;
   void watch_process() noexcept;
+  /// Returns how the process of the guard has ended; std::nullopt while it lives.
+  std::optional<siginfo_t> end_of_process() const noexcept;
   bool is_well() noexcept;
   void rescue() noexcept;
-  void set_safe() noexcept;
   void await(GuardState worst, std::int64_t limit, const std::atomic<bool>* interrupt = nullptr);
 
   GuardCall call_;

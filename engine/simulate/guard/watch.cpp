@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/base/driver/driver.h"
+
 namespace stepwire::guard {
 
 namespace {
@@ -23,6 +25,11 @@ bool is_within(double value, double least, double most) {
   return value >= least - slack && value <= most + slack;
 }
 
+/// Returns a channel's value with its unit.
+std::string in_unit(double value, const std::string& unit) {
+  return fmt::format("{:.6g}{}", value, unit.empty() || unit == "1" ? "" : " " + unit);
+}
+
 }  // namespace
 
 Watch::Watch(WatchLimits limits) : limits_(std::move(limits)) {
@@ -34,13 +41,18 @@ Watch::Watch(WatchLimits limits) : limits_(std::move(limits)) {
   held_ = !limits_.dead_man;
 }
 
-void Watch::trip(Cause cause, std::size_t channel, double value) noexcept {
+void Watch::trip(Cause cause, std::size_t place, double value) noexcept {
   if (!tripped()) {
     cause_ = cause;
-    channel_ = channel;
+    place_ = place;
     value_ = value;
   }
   hold_safe();
+}
+
+void Watch::accept(int result, std::size_t device) noexcept {
+  if (result == STEPWIRE_STALE || result == STEPWIRE_ENDED) trip(Cause::stale, device);
+  if (result == STEPWIRE_FAILED) trip(Cause::device, device);
 }
 
 void Watch::hold_safe() noexcept {
@@ -140,14 +152,16 @@ void Watch::rest() noexcept {
 
 /// Returns the reason of a trip by an output; "" for another cause.
 std::string Watch::text_of_output() const {
-  const std::string name = channel_ < limits_.outputs.size() ? limits_.outputs[channel_].name : "";
+  if (place_ >= limits_.outputs.size()) return "";
+  const OutputLimits& one = limits_.outputs[place_];
+  const std::string value = fmt::format("output {} was to become {}", one.name, in_unit(value_, one.unit));
   switch (cause_) {
     case Cause::not_finite:
-      return fmt::format("output {} was to become {}", name, value_);
+      return value;
     case Cause::beyond:
-      return fmt::format("output {} was to become {:.6g}, which is out of its limits", name, value_);
+      return value + ", which is out of its limits";
     case Cause::too_fast:
-      return fmt::format("output {} was to become {:.6g}, faster than its rate allows", name, value_);
+      return value + ", faster than its rate allows";
     default:
       return "";
   }
@@ -155,21 +169,27 @@ std::string Watch::text_of_output() const {
 
 /// Returns the reason of a trip by an input; "" for another cause.
 std::string Watch::text_of_input() const {
-  const std::string name = channel_ < limits_.inputs.size() ? limits_.inputs[channel_].name : "";
+  if (place_ >= limits_.inputs.size()) return "";
+  const InputLimits& one = limits_.inputs[place_];
+  const std::string value = in_unit(value_, one.unit);
   switch (cause_) {
     case Cause::input_bad:
-      return fmt::format("input {} became {}", name, value_);
+      return fmt::format("input {} became {}", one.name, value);
     case Cause::input_range:
-      return fmt::format("input {} is {:.6g}, out of its range", name, value_);
+      return fmt::format("input {} is {}, out of its range", one.name, value);
     case Cause::input_jump:
-      return fmt::format("input {} jumped to {:.6g}, faster than its rate allows", name, value_);
+      return fmt::format("input {} jumped to {}, faster than its rate allows", one.name, value);
     case Cause::input_stuck:
-      return fmt::format("input {} has not changed from {:.6g}; it is stuck", name, value_);
+      return fmt::format("input {} has not changed from {}; it is stuck", one.name, value);
     case Cause::released:
-      return fmt::format("the dead-man input {} was released", name);
+      return fmt::format("the dead-man input {} was released", one.name);
     default:
       return "";
   }
+}
+
+std::string Watch::text_of_device() const {
+  return place_ < limits_.devices.size() ? "the device " + limits_.devices[place_] : "the device";
 }
 
 std::string Watch::text() const {
@@ -178,11 +198,11 @@ std::string Watch::text() const {
       return fmt::format("the loop has written nothing for {:.4g} ms; it may for {:.4g} ms", 1e3 * value_,
                          1e3 * seconds_of(limits_.late));
     case Cause::power:
-      return fmt::format("the power {} was {:.4g} J in a second", limits_.powers[channel_].name, value_);
+      return fmt::format("the power {} was {:.4g} J in a second", limits_.powers[place_].name, value_);
     case Cause::stale:
-      return "the device has no new values";
+      return text_of_device() + " has no new values";
     case Cause::device:
-      return "the device does not answer";
+      return text_of_device() + " does not answer";
     default:
       return text_of_output() + text_of_input();
   }

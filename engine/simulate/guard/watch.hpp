@@ -19,6 +19,7 @@ struct OutputLimits {
   double safe = 0.0;
   double least = -no_limit, most = no_limit;
   double rate = no_limit;  ///< largest change in a second
+  std::string unit{};
 };
 
 /// Limits of one input channel, in the unit of the channel.
@@ -27,6 +28,7 @@ struct InputLimits {
   double least = -no_limit, most = no_limit;
   double rate = no_limit;  ///< largest change in a second, such as a speed, or of a jump of an encoder
   std::int64_t stuck = 0;  ///< time after which an unchanged value is a fault [ns]; 0: never
+  std::string unit{};
 };
 
 /// Input that must be above a number as long as outputs may differ from their safe values.
@@ -54,9 +56,10 @@ struct PowerLimit {
 
 /// Limits of all channels, independent of the diagram.
 struct WatchLimits {
-  std::int64_t period = 1'000'000;  ///< of the loop [ns]
-  std::int64_t late = 2'000'000;    ///< largest time between two commands [ns]
-  std::int64_t ramp = 0;            ///< time in which outputs go from their safe values to the commands [ns]
+  std::int64_t period = 1'000'000;   ///< of the loop [ns]
+  std::int64_t late = 2'000'000;     ///< largest time between two commands [ns]
+  std::int64_t ramp = 0;             ///< time in which outputs go from their safe values to the commands [ns]
+  std::vector<std::string> devices;  ///< names
   std::vector<InputLimits> inputs;
   std::vector<OutputLimits> outputs;
   std::optional<DeadMan> dead_man;
@@ -81,8 +84,8 @@ class Watch {
     input_stuck,  ///< an input that does not change
     power,        ///< too much energy in a second
     released,     ///< the dead-man input is released
-    stale,        ///< the device has no new values
-    device        ///< the device fails
+    stale,        ///< a device has no new values
+    device        ///< a device fails
   };
 
   explicit Watch(WatchLimits limits);
@@ -95,8 +98,8 @@ class Watch {
   void waited(std::int64_t now) noexcept;
   /// Returns to the safe values between two commands; the next command begins anew.
   void rest() noexcept;
-  /// Trips for a cause of the device.
-  void trip(Cause cause, std::size_t channel = 0, double value = 0.0) noexcept;
+  /// Trips for the result of driver.h of a device, unless it is OK.
+  void accept(int result, std::size_t device) noexcept;
 
   /// Returns the present values of the outputs.
   const double* outputs() const { return outputs_.data(); }
@@ -110,12 +113,14 @@ class Watch {
   const WatchLimits& limits() const { return limits_; }
 
  private:
+  void trip(Cause cause, std::size_t place = 0, double value = 0.0) noexcept;
   void check_input(std::size_t i, double value, std::int64_t now) noexcept;
   void check_powers(std::int64_t now, const double* inputs) noexcept;
   bool accepts(std::size_t i, double value, double seconds) noexcept;
   double ramp_share(std::int64_t now) const noexcept;
   void hold_safe() noexcept;
   std::string text_of_output() const;
+  std::string text_of_device() const;
   std::string text_of_input() const;
 
   WatchLimits limits_;
@@ -125,7 +130,7 @@ class Watch {
   std::int64_t last_command_ = 0, last_sensed_ = 0, ramp_begin_ = 0;
   bool commanded_ = false, sensed_ = false, held_ = false;  ///< held_: the dead-man input was above once
   Cause cause_ = Cause::none;
-  std::size_t channel_ = 0;
+  std::size_t place_ = 0;  ///< of the channel, limit of energy or device
   double value_ = 0.0;
 };
 

@@ -4,12 +4,15 @@ namespace stepwire::realtime {
 
 /// Sensors and actuators of a loop: they fill the diagram's inputs and receive its outputs.
 ///
-/// Both functions are called in the loop thread, as a part of its step, and must neither wait, allocate nor
-/// throw. Numbers are in SI. They are concatenated input by input (output by output) in the order of
+/// read() and write() are called in the loop thread, as a part of its step, and must neither wait, allocate
+/// nor throw. Numbers are in SI. They are concatenated input by input (output by output) in the order of
 /// Diagram::inputs (Diagram::outputs), each with all its elements.
 class Device {
  public:
   virtual ~Device() = default;
+  /// Starts the device. Called once in the loop thread, when all else is ready for the first deadline. May
+  /// wait and throw.
+  virtual void start() {}
   /// Fills the inputs before the first tick of a wake-up. Inputs that are not written keep their values, at
   /// first the defaults of the file.
   virtual void read(double* inputs) noexcept = 0;

@@ -286,6 +286,18 @@ class Verifier {
     result_.loop = true;
     if (!plan.diagram.inputs.empty()) require_file("inputs.csv");
     replay_loop(plan, tables, path("inputs.csv"), options_, result_);
+    result_.end_of_loop = end_of_loop();
+  }
+
+  /// Returns what is known of rows after the last one.
+  std::string end_of_loop() const {
+    if (!has("loop.json"))
+      return "there is no loop.json: the loop has not come to its end or its disk was full, and rows may be "
+             "missing after these";
+    const yaml::Node report = read_json(path("loop.json"));
+    const yaml::Node* const rows = report.find("rows");
+    const yaml::Node* const lost = rows ? rows->find("lost_to_disk") : nullptr;
+    return lost && lost->text != "0" ? fmt::format("the disk refused {} rows after these", lost->text) : "";
   }
 
   void verify_run(const RunNote& note) {
@@ -401,14 +413,15 @@ std::string verification_text(const Verification& verification) {
   if (!verification.difference.empty()) return verification.difference;
   const std::size_t rows = verification.rows, missing = verification.missing_rows;
   const bool early = missing > 0 && !verification.loop;
-  return fmt::format("{} signal{} in {}{} row{}{}: all bits agree{}{}", verification.signals,
+  return fmt::format("{} signal{} in {}{} row{}{}: all bits agree{}{}{}", verification.signals,
                      plural(verification.signals), rows, early ? fmt::format(" of {}", rows + missing) : "",
                      plural(rows + (early ? missing : 0)),
                      verification.runs > 1 ? fmt::format(" of {} runs", verification.runs) : "",
                      early ? "; the run ended early" : "",
                      missing > 0 && verification.loop
                          ? fmt::format("; {} row{} lost", missing, missing == 1 ? " is" : "s are")
-                         : "");
+                         : "",
+                     verification.end_of_loop.empty() ? "" : "; " + verification.end_of_loop);
 }
 
 }  // namespace stepwire::replay

@@ -23,6 +23,7 @@ struct Verification {
   std::int64_t ticks = 0;        ///< Ticks after which the runs may have ended, by their rows.
   std::string first_missing;     ///< Place and time of the first missing row; empty without one.
   bool loop = false;             ///< True for a real-time loop, whose missing rows are lost ones.
+  std::string end_of_loop;       ///< What the folder tells of rows after the last one; empty without loss.
   bool interrupted = false;      ///< True if the replay was interrupted.
   std::string difference;        ///< First difference in time, with its place; empty without one.
 };
@@ -31,7 +32,8 @@ struct Verification {
 /// diagram. Argument `swept` has the columns of swept parameters. Argument `words` has the words of those
 /// that hold indices of words. Throws Error.
 using NumbersReader = std::function<std::shared_ptr<const run::RunNumbers>(
-    const plan::Plan& plan, const yaml::Node& note, const table::Table& swept, const table::ColumnWords& words)>;
+    const plan::Plan& plan, const yaml::Node& note, const table::Table& swept,
+    const table::ColumnWords& words)>;
 
 /// Replays the folder of `run` or `loop`. Compares all recorded signals, or the numbers computed from them,
 /// bit by bit. Ends early once `interrupt` is true. Throws Error or TableError for any other or damaged

@@ -64,6 +64,17 @@ TEST_CASE("a guarded loop that is interrupted ends with its safe value, its coun
   CHECK(run_program(one.folder, {"verify", "out"}).code == 0);
 }
 
+TEST_CASE("a loop that is interrupted while it waits for a first value ends with 130, at its safe value") {
+  for (const std::string guard : {"guard: true\n", "guard: false\n"}) {
+    Guarded one("wait: 100 s\n" + guard);
+    REQUIRE(one.rig.silent_until(safe, 3000) <= 3000);
+    one.loop->send(SIGINT);
+    CHECK(one.loop->end() == 130);
+    CHECK(one.errors().empty());
+    CHECK(one.rig.silent_until(safe, 1) <= 1);
+  }
+}
+
 TEST_CASE("a loop that is killed leaves the safe value at the rig, and no guard") {
   Guarded one;
   REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
@@ -74,6 +85,21 @@ TEST_CASE("a loop that is killed leaves the safe value at the rig, and no guard"
   CHECK_THAT(one.errors(),
              Contains("the loop has ended without finishing; its guard has set all outputs to their "
                       "safe values"));
+}
+
+TEST_CASE("a loop that is killed together with its guard leaves the safe value at the rig") {
+  for (const bool guard_first : {true, false}) {
+    Guarded one;
+    REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
+    const int guard = one.loop->child("stepwire_guard");
+    REQUIRE(guard > 0);
+    if (guard_first) ::kill(guard, SIGKILL);
+    one.loop->send(SIGKILL);
+    if (!guard_first) ::kill(guard, SIGKILL);
+    CHECK(one.rig.steps_until(safe, soon) <= soon);
+    CHECK(processes_in(one.folder.path("")) == 0);
+    CHECK_THAT(one.errors(), Contains("a third process has set all outputs to their safe values"));
+  }
 }
 
 TEST_CASE("a loop that is stopped is late, and gets its outputs back only by a new start") {
@@ -110,14 +136,14 @@ TEST_CASE("a force out of its range trips the guard, which the loop reports") {
   while (one.rig.step(5.0) != safe && steps < soon) ++steps;
   CHECK(steps < soon);
   CHECK(one.loop->end() == 3);
-  CHECK_THAT(one.errors(), Contains("input rig.force is 5, out of its range"));
+  CHECK_THAT(one.errors(), Contains("input rig.force is 5 N, out of its range"));
 }
 
 TEST_CASE("a rig that offers nothing new ends the loop") {
   Guarded one;
   REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
   CHECK(one.loop->end() == 3);  // the rig does no step meanwhile
-  CHECK_THAT(one.errors(), Contains("the device has no new values"));
+  CHECK_THAT(one.errors(), Contains("the device rig has no new values"));
   CHECK(one.rig.step(1.0) == safe);
 }
 

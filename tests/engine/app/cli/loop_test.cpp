@@ -1,5 +1,6 @@
 // The verb `loop`. The timing of a machine is never checked, only the reports about it.
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "engine/base/table/table_file.hpp"
@@ -84,7 +85,11 @@ TEST_CASE("what a loop leaves is verified bit by bit, inputs and dropped deadlin
   const Done done = run_program(folder, {"verify", "out"});
   INFO(done.err << done.out);
   CHECK(done.code == 0);
-  CHECK_THAT(done.out, Contains("1 signal in " + std::to_string(ticks) + " rows: all bits agree"));
+  CHECK_THAT(done.out, Contains("1 signal in " + std::to_string(ticks) + " rows: all bits agree\n"));
+  std::filesystem::remove(folder.path("out/loop.json"));
+  const Done cut = run_program(folder, {"verify", "out"});
+  CHECK(cut.code == 0);
+  CHECK_THAT(cut.out, Contains("all bits agree; there is no loop.json: the loop has not come to its end"));
 }
 
 TEST_CASE(
@@ -218,6 +223,10 @@ TEST_CASE("a full disk ends with 3 after the loop, with whole rows and a count o
   CHECK_THAT(done.err, Contains("signals.csv: File too large; ") && Contains(" rows are lost"));
   const std::string signals = content_of(folder.path("out/signals.csv"));
   CHECK_THAT(signals, Catch::StartsWith("time [s],tick,wall [s],lag\n") && Catch::EndsWith("\n"));
+  const auto lost = report_in(folder)["rows"]["lost_to_disk"].get<int>();
+  CHECK(lost > 0);
+  CHECK_THAT(run_program(folder, {"verify", "out"}).out,
+             Contains("all bits agree; the disk refused " + std::to_string(lost) + " rows after these"));
 }
 
 TEST_CASE("a value that is not finite, or a condition of the diagram, ends a loop with 2 as it ends a run") {

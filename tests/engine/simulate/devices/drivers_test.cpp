@@ -12,7 +12,9 @@
 
 #include "engine/base/driver/open_device.hpp"
 #include "engine/base/io/environment_error.hpp"
+#include "engine/base/io/file.hpp"
 #include "engine/simulate/devices/wired_device.hpp"
+#include "tests/engine/base/table/scratch.hpp"
 
 namespace stepwire::driver {
 namespace {
@@ -139,6 +141,21 @@ std::vector<double> read_until(OpenDevice& device, double first) {
 }
 
 }  // namespace
+
+TEST_CASE("a driver that is cut off is refused before it is loaded") {
+  const std::string file = driver_file("file");
+  const std::string bytes = io::read_file(file);
+  const Scratch folder;
+  for (const std::size_t part : {2, 4, 20})
+    CHECK_THROWS_WITH(load_driver(folder.file("cut.so", bytes.substr(0, bytes.size() / part))),
+                      Contains("cut.so is cut off"));
+}
+
+TEST_CASE("a port of udp is a whole number from 1 to 65535") {
+  for (const std::string port : {"0", "70000", "-1", "5000x", ""})
+    CHECK_THAT(refusal("udp", {{"listen", "127.0.0.1:" + port}, {"inputs", "force in N"}}),
+               Contains("the setting 'listen' has no port from 1 to 65535"));
+}
 
 TEST_CASE("packets by UDP are taken in their order; lost, old and foreign ones are counted") {
   const std::uint16_t port = free_port();

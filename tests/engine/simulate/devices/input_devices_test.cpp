@@ -338,6 +338,7 @@ blocks: {coil: {block: Gain, gain: 2 A, u: stick}}
 record: [coil]
 )");
   devices::Rig opened(rig, plan, 0.01);
+  opened.device().start();
   double stick = 0.0;
   const double current = 1.5;
   const auto step = [&](int button) {

@@ -39,7 +39,10 @@ struct Opened {
     return "devices:\n  card: {driver: file, pace: reads, play: " + folder.file("in.csv", record) +
            ", outputs: [drive in V, led], record: " + folder.path("out.csv") + "}\n" + rest;
   }
-  void open() { rig.emplace(path, plan, 0.01); }
+  void open() {
+    rig.emplace(path, plan, 0.01);
+    rig->device().start();
+  }
   /// Returns the faults, "" for none.
   std::string faults() {
     try {
@@ -177,6 +180,7 @@ TEST_CASE("a loop begins with the first values of its devices, and shows its saf
       other.host.write(&hand);
     });
     Rig rig(other.file(guard), plan_text(diagram_yaml), 0.01);
+    rig.device().start();
     later.join();
     std::vector<double> inputs{3.0, 0.0, 0.0};
     rig.device().read(inputs.data());
@@ -189,8 +193,8 @@ TEST_CASE("a device that gives no value in time is named") {
     Shared other;
     const double zero = 0.0;
     other.host.start(10'000'000, &zero);
-    CHECK_THROWS_WITH(Rig(other.file("wait: 50 ms\n" + guard), plan_text(diagram_yaml), 0.01),
-                      Contains("plant: no value has come within 0.05 s"));
+    Rig rig(other.file("wait: 50 ms\n" + guard), plan_text(diagram_yaml), 0.01);
+    CHECK_THROWS_WITH(rig.device().start(), Contains("plant: no value has come within 0.05 s"));
   }
 }
 
@@ -235,6 +239,59 @@ TEST_CASE("keys, drivers and settings that are not known are refused with the ne
                          Contains("shared"));
   CHECK_THAT(faults, Contains("devices.b: the driver shared needs the setting 'name'"));
   CHECK_THAT(faults, Contains("the driver file has no 'plai'; did you mean 'play'?"));
+}
+
+TEST_CASE("a driver that fails is named with its function, or with the signal that ended its guard") {
+  ::setenv("STEPWIRE_DRIVERS", FAKE_DRIVERS, 1);
+  Opened one("");
+  const auto trouble = [&](const std::string& fails, const std::string& guard) {
+    one.path = one.folder.file("b.yaml", "devices: {bad: {driver: broken, fails: " + fails +
+                                             "}}\noutputs: {current: {device: bad, channel: value, limits: "
+                                             "[0 A, 1 A]}}\nguard: " +
+                                             guard + "\n");
+    try {
+      one.open();
+      one.write(0.5);
+      one.rig->device().rest(nullptr);
+      return one.rig->trouble();
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+  };
+  CHECK_THAT(trouble("open", "true"), Contains("driver broken: open has failed without a reason"));
+  for (const std::string guard : {"true", "false"})
+    CHECK_THAT(trouble("start", guard), Contains("driver broken: start has failed without a reason"));
+  CHECK_THAT(trouble("crash", "true"),
+             Contains("the guard was ended by signal 11") && Contains("while it started bad"));
+  CHECK(trouble("write", "false") == "the device bad does not answer");
+}
+
+TEST_CASE("a limit of energy takes a force times a speed, or times a place") {
+  const std::string wires =
+      "inputs: {force: {device: card, channel: volt, scale: 1 N/V}, "
+      "arm.1: {device: card, channel: turn}}\n";
+  Opened product(wires + "energy: {wrong: {force: force, speed: arm.1, most: 5 J}}\n");
+  CHECK_THAT(product.faults(), Contains("energy.wrong: force times arm.1 is in N; it must be in W"));
+  Opened place(wires + "energy: {wrong: {force: arm.1, position: force, most: 5 J}}\n");
+  CHECK_THAT(place.faults(), Contains("energy.wrong: arm.1 times force is in N; it must be in J"));
+}
+
+TEST_CASE("the threshold of a dead-man input is in the channel's unit, or has one of its dimension") {
+  const auto trouble = [](const std::string& above) {
+    Opened one(
+        "inputs: {force: {device: card, channel: volt, scale: 1 N/V}}\n"
+        "dead_man: {device: card, channel: turn, above: " +
+        above + "}\nguard: false\n");
+    one.open();
+    for (int step = 0; step < 3; ++step) one.read();  // 180, 90 and 0 deg
+    return one.rig->trouble();
+  };
+  CHECK_THAT(trouble("45"), Contains("card.turn was released"));
+  CHECK_THAT(trouble("0.1 rev"), Contains("card.turn was released"));
+  CHECK(trouble("-0.1 rev").empty());
+  CHECK(trouble("200").empty());  // it was never held
+  Opened other("dead_man: {device: card, channel: turn, above: 1 V}\n");
+  CHECK_THAT(other.faults(), Contains("dead_man.above: has the unit"));
 }
 
 TEST_CASE("two outputs of one channel and an output without a safe value are refused") {

@@ -240,6 +240,7 @@ TEST_CASE("commands do not keep a guard from its inputs") {
   call.limits.inputs = {{"rig.force"}};
   call.limits.outputs = {{"rig.current"}};
   RunningGuard guard(call);
+  guard.start();
   const double current = 0.5;
   double force = 0.0;
   for (int step = 0; step < 1000 && force != 2.0; ++step) {
@@ -248,6 +249,22 @@ TEST_CASE("commands do not keep a guard from its inputs") {
     REQUIRE(guard.inputs(&force));
   }
   CHECK(force == 2.0);
+}
+
+TEST_CASE("a guard renews the safe values as long as no command comes") {
+  const std::string name = "stepwire-test-rests-" + std::to_string(::getpid());
+  RigHost rig(name, "200 ms");
+  rig.step(1.0);
+  GuardCall call{{{"rig", "shared", driver::driver_file("shared"), {{"name", name}, {"stale", "100 s"}}}},
+                 {InputUse::held}};
+  call.limits.period = 10 * ms;
+  call.limits.inputs = {{"rig.force"}};
+  call.limits.outputs = {{"rig.current", 0.125}};
+  RunningGuard guard(call);
+  guard.start();
+  ::usleep(500'000);
+  CHECK(rig.is_fresh());
+  CHECK(rig.step(1.0) == 0.125);
 }
 
 }  // namespace stepwire::guard
