@@ -95,27 +95,32 @@ class Folder {
     return true;
   }
 
-  /// Loads the file of the run with the values that were set. Returns false if it is another diagram now, or
-  /// has other functions.
-  bool load() {
-    const std::string file = text_in(note_, "file");
+  /// Loads the file of the run with the values that were set. Where that is another diagram, the step, stop
+  /// and solver of the run are set, too.
+  void load_with_values(const std::string& file) {
     LoadOptions options;
     options.study = study_;
     if (const Json* parameters = note_.find("parameters"))
       for (const Json& one : parameters->items())
         if (flag_in(one, "set")) options.settings.push_back({text_in(one, "name"), text_in(one, "written")});
+    model_ = session_.load(file, options);
+    if (model_.hash == text_in(note_, "hash")) return;
+    for (const diagram::Setting& one : RunNote::head_settings(folder_, registry_))
+      options.settings.push_back(one);
+    model_ = session_.load(file, options);
+    if (model_.hash == text_in(note_, "hash"))
+      head_note_ = fmt::format(
+          "{} has another step, stop or solver than the run, which its call may have set; those of the run "
+          "are used",
+          file);
+  }
+
+  /// Loads the file of the run with the values that were set. Returns false if it is another diagram now, or
+  /// has other functions.
+  bool load() {
+    const std::string file = text_in(note_, "file");
     try {
-      model_ = session_.load(file, options);
-      if (model_.hash != text_in(note_, "hash")) {  // the call may have had --stop, or --set step=2ms
-        for (const diagram::Setting& one : RunNote::head_settings(folder_, registry_))
-          options.settings.push_back(one);
-        model_ = session_.load(file, options);
-        if (model_.hash == text_in(note_, "hash"))
-          head_note_ = fmt::format(
-              "{} has another step, stop or solver than the run, which its call may have set; those of the "
-              "run are used",
-              file);
-      }
+      load_with_values(file);
     } catch (const yaml::Error&) {
       left_out_ = fmt::format("{} with the values of the run cannot be read now", file);
       return false;

@@ -38,6 +38,10 @@ constexpr std::size_t size_of(std::size_t count) {
   return offsetof(Packet, values) + count * sizeof(double);
 }
 
+[[noreturn]] void refuse_address(const char* key) {
+  Settings::refuse(key, "is no address with a port from 1 to 65535, such as 192.168.0.2:5000");
+}
+
 /// Splits "host:port"; a port alone has the host 127.0.0.1.
 sockaddr_in address_of(const std::string& text, const char* key) {
   const auto colon = text.rfind(':');
@@ -45,13 +49,12 @@ sockaddr_in address_of(const std::string& text, const char* key) {
   const std::string port = colon == std::string::npos ? text : text.substr(colon + 1);
   char* end = nullptr;
   const long number = std::strtol(port.c_str(), &end, 10);
-  if (*end != 0 || number < 1 || number > 65'535) Settings::refuse(key, "has no port from 1 to 65535");
+  if (*end != 0 || number < 1 || number > 65'535) refuse_address(key);
   addrinfo wanted{}, *found = nullptr;
   wanted.ai_family = AF_INET;
   wanted.ai_socktype = SOCK_DGRAM;
   wanted.ai_flags = AI_NUMERICSERV;
-  if (::getaddrinfo(host.c_str(), port.c_str(), &wanted, &found) != 0 || !found)
-    Settings::refuse(key, "is no address with a port, such as 192.168.0.2:5000");
+  if (::getaddrinfo(host.c_str(), port.c_str(), &wanted, &found) != 0 || !found) refuse_address(key);
   sockaddr_in address{};
   std::memcpy(&address, found->ai_addr, sizeof address);
   ::freeaddrinfo(found);

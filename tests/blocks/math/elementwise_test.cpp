@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "engine/base/math/elementary.hpp"
 #include "tests/support/run_text.hpp"
 
 using namespace stepwire;
@@ -49,8 +50,8 @@ record: [wrong]
 
 TEST_CASE("trigonometric blocks are the functions of their names") {
   const std::vector<std::pair<std::string, double (*)(double)>> functions = {
-      {"sin", std::sin},   {"cos", std::cos},   {"tan", std::tan},   {"atan", std::atan}, {"sinh", std::sinh},
-      {"cosh", std::cosh}, {"tanh", std::tanh}, {"asin", std::asin}, {"acos", std::acos}};
+      {"sin", fn::sin},   {"cos", fn::cos},   {"tan", fn::tan},   {"atan", fn::atan}, {"sinh", fn::sinh},
+      {"cosh", fn::cosh}, {"tanh", fn::tanh}, {"asin", fn::asin}, {"acos", fn::acos}};
   for (const auto& [name, function] : functions) {
     const auto y = map("block: Trig, function: " + name + ", u: u", "0.5");
     for (std::size_t i = 0; i < y.size(); ++i)

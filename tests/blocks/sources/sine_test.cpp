@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
-#include <cmath>
 #include <numbers>
 
+#include "engine/base/math/elementary.hpp"
 #include "tests/support/run_text.hpp"
 
 using namespace stepwire;
@@ -17,7 +17,7 @@ record: [hand]
   const auto &time = column(run, "time"), &hand = column(run, "hand");
   REQUIRE(hand.size() == 3001);
   for (std::size_t i = 0; i < hand.size(); ++i)
-    REQUIRE(hand[i] == 2.0 * std::sin(std::numbers::pi * time[i] + 0.3) + -1.0);
+    REQUIRE(hand[i] == 2.0 * fn::sin(std::numbers::pi * time[i] + 0.3) + -1.0);
 }
 
 TEST_CASE("a sine with lists is one wave for each element") {

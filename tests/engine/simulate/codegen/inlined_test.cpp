@@ -43,6 +43,7 @@ TEST_CASE("a loop over lanes calls elementary functions once for the lanes of a 
   const std::string text =
       "#include \"engine/base/math/elementary.hpp\"\n"
       "extern \"C\" void loop(double* __restrict w, const double* __restrict v) {\n"
+      "#pragma GCC ivdep\n"
       "  for (int lane = 0; lane < STEPWIRE_LANES; ++lane)\n"
       "    w[lane] = stepwire::fn::sin(v[lane]) + stepwire::fn::atan2(w[lane], v[lane]) +\n"
       "              stepwire::fn::pow(v[lane], w[lane]) + stepwire::fn::pow(w[lane], 2.0);\n}\n";

@@ -154,7 +154,7 @@ TEST_CASE("a driver that is cut off is refused before it is loaded") {
 TEST_CASE("a port of udp is a whole number from 1 to 65535") {
   for (const std::string port : {"0", "70000", "-1", "5000x", ""})
     CHECK_THAT(refusal("udp", {{"listen", "127.0.0.1:" + port}, {"inputs", "force in N"}}),
-               Contains("the setting 'listen' has no port from 1 to 65535"));
+               Contains("the setting 'listen' is no address with a port from 1 to 65535"));
 }
 
 TEST_CASE("packets by UDP are taken in their order; lost, old and foreign ones are counted") {

@@ -32,6 +32,7 @@ struct LoopFolder : DiagramFolder {
     write("out/diagram.yaml", diagram);
     write("out/signals.csv", signals);
     write("out/inputs.csv", inputs);
+    write("out/loop.json", "{}");
   }
   std::string verdict_with(const std::string& file, const std::string& what, const std::string& by) {
     write("out/signals.csv", signals);
@@ -46,6 +47,16 @@ struct LoopFolder : DiagramFolder {
 TEST_CASE("a loop is replayed with its inputs, beyond the stop of its file and over rows that were lost") {
   LoopFolder folder;
   CHECK(verdict_of(folder, "out") == "3 signals in 4 rows: all bits agree; 3 rows are lost");
+}
+
+TEST_CASE("rows that a full disk has refused are told, and a loop without an end") {
+  LoopFolder folder;
+  folder.write("out/loop.json", R"({"rows": {"written": 4, "lost_to_disk": 7}})");
+  CHECK(verdict_of(folder, "out") ==
+        "3 signals in 4 rows: all bits agree; 3 rows are lost; the disk refused 7 rows after these");
+  std::filesystem::remove(folder.path("out/loop.json"));
+  CHECK_THAT(verdict_of(folder, "out"), Catch::Contains("; there is no loop.json: the loop has not come to "
+                                                        "its end or its disk was full"));
 }
 
 TEST_CASE("a number of a loop that differs is named") {
