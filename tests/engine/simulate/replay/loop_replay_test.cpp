@@ -123,6 +123,7 @@ TEST_CASE(
   folder.write("out/diagram.yaml", diagram);
   folder.write("out/signals.csv", signals);
   folder.write("out/inputs.csv", inputs);
+  folder.write("out/loop.json", "{}");
   CHECK(verdict_of(folder, "out") == "3 signals in 4 rows: all bits agree; 3 rows are lost");
 }
 
