@@ -34,28 +34,29 @@ bool is_child(const std::filesystem::path& process, const std::string& name, int
 }  // namespace
 
 RigHost::RigHost(const std::string& name, const std::string& stale)
-    : device_(driver::load_driver(driver::driver_file("shared")), {{"name", name},
-                                                                   {"role", "host"},
-                                                                   {"inputs", "current in A"},
-                                                                   {"outputs", "force in N"},
-                                                                   {"stale", stale}}),
+    : device_(std::in_place, driver::load_driver(driver::driver_file("shared")),
+              driver::Settings{{"name", name},
+                               {"role", "host"},
+                               {"inputs", "current in A"},
+                               {"outputs", "force in N"},
+                               {"stale", stale}}),
       current_(std::nan("")) {
   const double force = 0.0;
-  device_.start(10'000'000, &force);
+  device_->start(10'000'000, &force);
 }
 
 /// The amplifiers keep a stale value. Before the first command the memory has a zero, which is no current.
 double RigHost::look() {
   std::this_thread::sleep_for(period);
   double current = 0.0;
-  if (device_.read(&current) != STEPWIRE_FAILED && (current != 0.0 || !std::isnan(current_)))
+  if (device_->read(&current) != STEPWIRE_FAILED && (current != 0.0 || !std::isnan(current_)))
     current_ = current;
   return current_;
 }
 
 double RigHost::step(double force) {
   look();
-  device_.write(&force);
+  device_->write(&force);
   return current_;
 }
 

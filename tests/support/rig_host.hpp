@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,12 +22,14 @@ class RigHost {
   int steps_until(double current, int most);
   /// Returns the same, and offers no force meanwhile.
   int silent_until(double current, int most);
-  bool is_fresh() { return device_.read(&current_) == STEPWIRE_OK; }
+  /// Removes the shared memory. Nothing else may be called then.
+  void leave() { device_.reset(); }
+  bool is_fresh() { return device_->read(&current_) == STEPWIRE_OK; }
 
  private:
   double look();
 
-  driver::OpenDevice device_;
+  std::optional<driver::OpenDevice> device_;
   double current_;
 };
 

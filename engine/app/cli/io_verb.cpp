@@ -99,8 +99,8 @@ ExitCode watch_inputs(const IoCall& call) {
   wanted_outputs(call, ports);
   devices::Rig rig(request, ports, period, 0, &interrupted());
   step_all(call, rig, ports);
-  const std::string trouble = rig.trouble();
   for (const std::string& line : rig.finish()) say("  {}\n", text::visible(line));
+  const std::string trouble = rig.trouble();
   if (!trouble.empty()) complain("{}\n", text::visible(trouble));
   return trouble.empty() ? ExitCode::done : ExitCode::surroundings;
 }

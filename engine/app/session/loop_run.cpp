@@ -261,8 +261,8 @@ std::unique_ptr<devices::LoopRig> rig_of(const LoopCall& call, const plan::Plan&
 
 void add_devices(devices::LoopRig& rig, LoopOutcome& outcome) {
   outcome.has_devices = true;
-  outcome.device_fault = rig.trouble();
   outcome.device_lines = rig.finish();
+  outcome.device_fault = rig.trouble();
 }
 
 }  // namespace

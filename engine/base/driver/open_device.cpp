@@ -107,7 +107,7 @@ std::vector<FoundDriver> found_drivers() {
   for (const std::string& folder : driver_folders()) {
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(folder, none))
-      if (entry.path().extension() == ".so")
+      if (entry.path().extension() == ".so" && entry.is_regular_file(none))
         files.emplace(entry.path().stem().string(), entry.path().string());
   }
   std::vector<FoundDriver> found;

@@ -108,7 +108,8 @@ class FileDevice {
   }
 
   int read(double* values) {
-    const std::int64_t time = (by_reads_ ? reads_ * period_ : now() - begin_) - latency_;
+    if (reads_ == 0) first_read_ = now();
+    const std::int64_t time = (by_reads_ ? reads_ * period_ : now() - first_read_) - latency_;
     ++reads_;
     while (row_ + 1 < times_.size() && times_[row_ + 1] <= time) ++row_;
     const std::size_t width = channels_.count(STEPWIRE_INPUT);
@@ -167,7 +168,7 @@ class FileDevice {
   }
 
   Channels channels_;
-  std::int64_t latency_, period_ = 0, begin_ = 0, reads_ = 0, lost_ = 0;
+  std::int64_t latency_, period_ = 0, begin_ = 0, first_read_ = 0, reads_ = 0, lost_ = 0;
   bool by_reads_, holds_, trouble_ = false;
   std::string out_;
   std::vector<std::int64_t> times_;
@@ -177,7 +178,9 @@ class FileDevice {
 
 constexpr stepwire_known_setting settings[] = {
     {"play", "record whose columns after 'time [s]' are the inputs (CSV)", ""},
-    {"pace", "clock: a row counts from its time on; reads: each read is one period later", "clock"},
+    {"pace",
+     "clock: a row counts from its time after the first read on; reads: each read is one period later",
+     "clock"},
     {"latency", "time by which a row is seen later", "0 s"},
     {"end", "stop: the loop ends after the last row; hold: the last row counts on", "stop"},
     {"outputs", "names of the outputs with their units: a in V, b", ""},

@@ -66,7 +66,7 @@ class Line {
 
  private:
   [[noreturn]] void fail(const std::string& path) const {
-    const std::string reason = std::strerror(errno);
+    const std::string reason = errno == EWOULDBLOCK ? "it is in use by another loop" : std::strerror(errno);
     if (file_ >= 0) ::close(file_);
     throw std::runtime_error("the line " + path + " cannot be opened: " + reason);
   }

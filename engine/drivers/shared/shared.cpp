@@ -125,6 +125,7 @@ class SharedDevice {
     last_.assign(channels_.count(STEPWIRE_INPUT), 0.0);
     changed_ = now();
     (is_host_ ? segment_->host : segment_->client) = ::getpid();
+    watches_host_ = !is_host_ && segment_->host != 0 && is_alive(segment_->host);
   }
 
   int ready() {
@@ -148,9 +149,12 @@ class SharedDevice {
   }
   int write(const double* values) {
     stepwire_put(&to(), values, safe_.size(), now());
+    return has_other_side() ? STEPWIRE_OK : STEPWIRE_FAILED;
+  }
+  int safe() {
+    stepwire_put(&to(), safe_.data(), safe_.size(), now());
     return STEPWIRE_OK;
   }
-  int safe() { return write(safe_.data()); }
   void stop() {}
   void report(char* text, std::size_t size) const {
     std::snprintf(text, size, "%llu changes seen, the last one %.3f ms old",
@@ -158,6 +162,14 @@ class SharedDevice {
   }
 
  private:
+  /// False once a host that lived at the start has ended. Its process is looked at once in a number of
+  /// writes.
+  bool has_other_side() {
+    constexpr int between_looks = 64;
+    if (!watches_host_) return true;
+    const std::int64_t host = __atomic_load_n(&segment_->host, __ATOMIC_ACQUIRE);
+    return host != 0 && (++writes_ % between_looks != 0 || is_alive(host));
+  }
   stepwire_numbers& to() const { return is_host_ ? segment_->to_client : segment_->to_host; }
   stepwire_numbers& from() const { return is_host_ ? segment_->to_host : segment_->to_client; }
 
@@ -198,7 +210,8 @@ class SharedDevice {
                     -unlimited, unlimited, "");
   }
 
-  bool is_host_;
+  bool is_host_, watches_host_ = false;
+  int writes_ = 0;
   std::int64_t stale_, changed_ = 0, age_ = 0;
   std::uint64_t seen_ = 0;
   Segment segment_;

@@ -38,11 +38,11 @@ bool DirectIo::write(const double* outputs) noexcept {
 
 void DirectIo::rest() noexcept {
   watch_.rest();
-  bank_.safe();
+  accept(bank_.safe());
 }
 
 std::vector<std::string> DirectIo::finish() {
-  bank_.safe();
+  accept(bank_.safe());
   bank_.stop();
   return bank_.reports();
 }

@@ -81,6 +81,7 @@ class Wirer {
     all_.uses.assign(bank_.devices(), guard::InputUse::unused);
     for (std::size_t i = 0; i < bank_.devices(); ++i) {
       all_.limits.devices.push_back(request_.devices[i].name);
+      all_.devices[i].outputs = bank_.device(i).outputs().size();
       for (const stepwire_channel& one : bank_.device(i).inputs())
         all_.limits.inputs.push_back({.name = channel_name(i, one), .unit = one.unit});
       for (const stepwire_channel& one : bank_.device(i).outputs()) {

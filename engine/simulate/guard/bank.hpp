@@ -15,6 +15,7 @@ struct DeviceSettings {
   std::string name, driver;
   std::string file;  ///< of the driver
   driver::Settings settings;
+  std::size_t outputs = 0;  ///< count of its channels, as it was when the rig was checked
 };
 
 /// Use of the inputs of a device.

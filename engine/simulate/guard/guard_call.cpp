@@ -4,7 +4,6 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 
-#include <cstdio>
 #include <exception>
 
 #include "engine/base/io/environment_error.hpp"
@@ -20,7 +19,7 @@ using messages::list;
 template <class Stream>
 void devices_through(Stream& stream, std::vector<DeviceSettings>& devices) {
   list(stream, devices, [&](DeviceSettings& one) {
-    all(stream, one.name, one.driver, one.file);
+    all(stream, one.name, one.driver, one.file, one.outputs);
     list(stream, one.settings, [&](auto& setting) { all(stream, setting.first, setting.second); });
   });
 }
@@ -57,16 +56,22 @@ std::string bytes_of(GuardCall call) {
   return writer.take();
 }
 
-void set_safe(const GuardCall& call) noexcept {
-  try {
-    Bank bank(call.devices);
-    bank.start(call.limits.period, Watch(call.limits).safe());
-    bank.safe();
-    bank.stop();
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "the outputs are not at their safe values, because the guard is gone and %s\n",
-                 error.what());
+std::string set_safe(const GuardCall& call) noexcept {
+  std::string failures;
+  const Watch watch(call.limits);
+  const double* safe = watch.safe();
+  for (const DeviceSettings& one : call.devices) {
+    try {
+      driver::OpenDevice device(driver::load_driver(one.file), one.settings);
+      device.start(call.limits.period, safe);
+      if (one.outputs > 0 && device.safe() == STEPWIRE_FAILED)
+        throw io::EnvironmentError("the device does not take its safe values");
+    } catch (const std::exception& error) {
+      failures += (failures.empty() ? "" : "; ") + one.name + ": " + error.what();
+    }
+    safe += one.outputs;
   }
+  return failures;
 }
 
 void become_prompt(int priority) {

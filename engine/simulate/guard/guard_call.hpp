@@ -22,9 +22,9 @@ struct GuardCall {
 std::string bytes_of(GuardCall call);
 GuardCall guard_call(std::string_view bytes);
 
-/// Opens the devices of a call, sets their outputs to the safe values and closes them. Prints the reason
-/// where that fails.
-void set_safe(const GuardCall& call) noexcept;
+/// Opens each device of a call, sets its outputs to their safe values and closes it. Returns the reasons of
+/// those that fail; "" for none.
+std::string set_safe(const GuardCall& call) noexcept;
 
 /// Sets real-time scheduling of this process, and locks its memory. What the system refuses is left out.
 void become_prompt(int priority);

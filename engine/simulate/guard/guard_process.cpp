@@ -90,7 +90,7 @@ void GuardProcess::turn(std::int64_t now) {
   } else if (active_) {
     watch_.waited(now);
   } else {
-    bank_.safe();  // whoever gets them may wait for the next values
+    set_safe();  // the other side may wait for the next values
   }
   if (now >= next_read_) read_devices(now);
   if (watch_.tripped()) announce_trip();
@@ -103,11 +103,15 @@ void GuardProcess::take_command(std::int64_t now) {
   next_read_ = std::min(now + 3 * call_.limits.period / 4, last_read_ + 3 * call_.limits.period / 2);
   if (!active_) {
     watch_.rest();
-    bank_.safe();
+    set_safe();
   } else if (!watch_.tripped() && link_.commands().get(commands_.data())) {
     watch_.commanded(now, commands_.data());
     if (!watch_.tripped()) watch_.accept(bank_.write(watch_.outputs()), bank_.culprit());
   }
+}
+
+void GuardProcess::set_safe() noexcept {
+  watch_.accept(bank_.safe(), bank_.culprit());
 }
 
 void GuardProcess::read_devices(std::int64_t now) {
@@ -121,7 +125,7 @@ void GuardProcess::read_devices(std::int64_t now) {
 
 /// Writes the safe values, also in each later turn, and then states the reason.
 void GuardProcess::announce_trip() {
-  bank_.safe();
+  set_safe();
   if (announced_) return;
   announced_ = true;
   link_.tell(GuardState::tripped, watch_.text());
@@ -135,7 +139,7 @@ void GuardProcess::watch_life() noexcept {
 }
 
 void GuardProcess::finish() {
-  bank_.safe();
+  set_safe();
   bank_.stop();
   link_.note_safe();
   link_.put_reports(joined(bank_.reports()));
@@ -153,7 +157,7 @@ int run_guard(int memory, int life) {
   try {
     Link link{io::Descriptor(memory)};
     try {
-      start_keeper(link, life);
+      start_keeper(link);
       GuardProcess(link, life).serve();
       return 0;
     } catch (const std::exception& error) {

@@ -28,6 +28,7 @@ class GuardProcess {
   void await_turn();
   void turn(std::int64_t now);
   void take_command(std::int64_t now);
+  void set_safe() noexcept;
   void read_devices(std::int64_t now);
   void announce_trip();
   void watch_life() noexcept;

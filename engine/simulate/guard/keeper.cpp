@@ -7,8 +7,8 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
-#include <exception>
 
 #include "engine/base/io/environment_error.hpp"
 #include "engine/simulate/guard/guard_call.hpp"
@@ -17,37 +17,66 @@ namespace stepwire::guard {
 
 namespace {
 
-/// Waits until all other ends of a pipe or socket are closed. What comes through it is nothing to read.
+constexpr unsigned longest = 10;                   // of the calls of drivers [s]
+constexpr std::int64_t between_tries = 1'000'000;  // between two tries [ns]
+constexpr int most_opens = 100;
+
+/// Waits until all other ends of a pipe are closed. Nothing is written to it.
 void await_end(int descriptor) {
   pollfd look{descriptor, 0, 0};
   while (::poll(&look, 1, -1) < 0 && errno == EINTR) {
   }
 }
 
-[[noreturn]] void keep(Link& link, int guard, int life) {
+/// Waits at most this time [ns]. Returns true once the outputs are safe.
+bool becomes_safe(const Link& link, std::int64_t time) {
+  const std::int64_t end = monotonic() + time;
+  while (!link.is_safe() && monotonic() < end) ::usleep(50);
+  return link.is_safe();
+}
+
+void end_by_time(int) {
+  constexpr char text[] = "a driver does not return, and outputs may not be at their safe values\n";
+  [[maybe_unused]] const auto size = ::write(STDERR_FILENO, text, sizeof text - 1);
+  ::_exit(3);
+}
+
+/// Tries again while the loop has an exclusive device open.
+void set_safe_in_place_of_loop(Link& link, const GuardCall& call) {
+  std::string failures = set_safe(call);
+  for (int tries = 0; tries < most_opens && !failures.empty(); ++tries) {
+    if (becomes_safe(link, between_tries)) return;
+    failures = set_safe(call);
+  }
+  if (failures.empty()) {
+    link.note_safe();
+    std::fputs("the guard was ended, and a third process has set all outputs to their safe values\n", stderr);
+  } else {
+    std::fprintf(stderr, "the guard was ended, and outputs are not at their safe values: %s\n",
+                 failures.c_str());
+  }
+}
+
+[[noreturn]] void keep(Link& link, int guard) {
   ::prctl(PR_SET_NAME, "stepwire_keeper");
   const GuardCall call = guard_call(link.call());
   become_prompt(call.priority);
   await_end(guard);
-  await_end(life);
-  if (!link.is_safe()) {
-    set_safe(call);
-    std::fputs(
-        "the loop and its guard were ended; a third process has set all outputs to their safe values\n",
-        stderr);
-  }
+  std::signal(SIGALRM, end_by_time);
+  ::alarm(longest);
+  if (!becomes_safe(link, call.limits.period / 2)) set_safe_in_place_of_loop(link, call);
   ::_exit(0);
 }
 
 }  // namespace
 
-void start_keeper(Link& link, int life) {
+void start_keeper(Link& link) {
   std::array<int, 2> ends{-1, -1};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw io::EnvironmentError("the guard has no pipe");
   const pid_t keeper = ::fork();
   if (keeper < 0) throw io::EnvironmentError("the guard cannot start its keeper");
   ::close(ends[keeper == 0 ? 1 : 0]);  // the guard holds the end to write until it ends
-  if (keeper == 0) keep(link, ends[0], life);
+  if (keeper == 0) keep(link, ends[0]);
 }
 
 }  // namespace stepwire::guard

@@ -4,13 +4,13 @@
 
 namespace stepwire::guard {
 
-/// Third process of a guarded loop. The guard starts it before it opens the devices. It sleeps until both the
-/// guard and the loop have ended; where neither has noted safe outputs by then, it sets them.
+/// Third process of a guarded loop. The guard starts it before it opens the devices. It sleeps until the
+/// guard has ended. Where safe outputs are not noted within half a period from then on, it sets them.
 ///
-/// Guard and loop watch each other, but none of them is left where both are killed, or where the loop is
-/// killed after it has ended a guard without a processor.
+/// Guard and loop watch each other, but none of them acts where both are killed, or where the loop is killed
+/// or stopped after it has ended a guard without a processor.
 ///
-/// `life` is this side's end of the loop's socket. Does not return in the process of the keeper.
-void start_keeper(Link& link, int life);
+/// Does not return in the process of the keeper.
+void start_keeper(Link& link);
 
 }  // namespace stepwire::guard

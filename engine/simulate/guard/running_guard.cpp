@@ -62,20 +62,28 @@ void RunningGuard::start(const std::atomic<bool>* interrupt) {
   if (call_.priority > 0) ::pthread_setschedparam(process_watch_.native_handle(), SCHED_FIFO, &parameter);
 }
 
-std::string RunningGuard::why_not_started() const {
-  if (link_.state() == GuardState::failed) return link_.reason();
+std::string RunningGuard::names_of_devices() const {
   std::vector<std::string> names;
   for (const DeviceSettings& one : call_.devices) names.push_back(one.name);
-  const std::string devices = fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string RunningGuard::end_text(const siginfo_t& change) const {
+  if (change.si_pid == 0) return "the guard has not read the devices in time";
+  if (change.si_code == CLD_EXITED)
+    return fmt::format("the guard has ended with exit code {}", change.si_status);
+  return fmt::format("the guard was {} by signal {} ({})",
+                     change.si_code == CLD_STOPPED ? "stopped" : "ended", change.si_status,
+                     ::strsignal(change.si_status));
+}
+
+std::string RunningGuard::why_not_started() const {
+  if (link_.state() == GuardState::failed) return link_.reason();
   const auto change = end_of_process();
   if (!change)
     return fmt::format("the guard does not come to an end of the start of {}; a driver there does not return",
-                       devices);
-  if (change->si_code == CLD_EXITED)
-    return fmt::format("the program of the guard has ended with exit code {} before its start",
-                       change->si_status);
-  return fmt::format("the guard was ended by signal {} ({}) while it started {}; a driver there has failed",
-                     change->si_status, ::strsignal(change->si_status), devices);
+                       names_of_devices());
+  return fmt::format("{} while it started {}", end_text(*change), names_of_devices());
 }
 
 RunningGuard::~RunningGuard() {
@@ -113,7 +121,7 @@ void RunningGuard::watch_process() noexcept {
   siginfo_t change{};
   while (::waitid(P_PID, static_cast<id_t>(process_), &change, WEXITED | WSTOPPED | WNOWAIT) != 0)
     if (errno != EINTR) return;
-  rescue();
+  rescue(change);
 }
 
 /// Inputs are read three quarters of a period after a command. The largest age of half a period less than the
@@ -121,17 +129,18 @@ void RunningGuard::watch_process() noexcept {
 /// processor.
 bool RunningGuard::is_well() noexcept {
   if (gone_ || link_.state() != GuardState::running) return false;
-  if (monotonic() - link_.read_at() > call_.limits.late - call_.limits.period / 2) rescue();
+  if (monotonic() - link_.read_at() > call_.limits.late - call_.limits.period / 2) rescue({});
   return !gone_;
 }
 
 /// The kill prevents a stopped guard from writing later; an exclusive device opens once it has ended.
-void RunningGuard::rescue() noexcept {
+void RunningGuard::rescue(const siginfo_t& change) noexcept {
   if (finishing_ || gone_.exchange(true)) return;
+  change_ = change;
   ::kill(process_, SIGKILL);
   for (int looks = 0; looks < 2000 && !end_of_process(); ++looks) ::usleep(50);
-  set_safe(call_);  // allocates, but the loop ends
-  link_.note_safe();
+  const std::string failures = set_safe(call_);  // allocates, but the loop ends
+  if (failures.empty()) link_.note_safe();
 }
 
 bool RunningGuard::inputs(double* values) noexcept {
@@ -151,7 +160,8 @@ std::string RunningGuard::finish() {
   link_.beat(GuardRequest::finish);
   if (!gone_) await(GuardState::failed, longest_end);
   life_.close();
-  if (link_.state() != GuardState::ended) ::kill(process_, SIGKILL);
+  finished_ = link_.state() == GuardState::ended || link_.state() == GuardState::failed;
+  if (!finished_) ::kill(process_, SIGKILL);
   ::waitpid(process_, nullptr, 0);
   if (process_watch_.joinable()) process_watch_.join();
   process_ = -1;
@@ -160,8 +170,14 @@ std::string RunningGuard::finish() {
 
 std::string RunningGuard::trouble() const {
   if (gone_)
-    return "the guard has ended or does not get the processor; the loop has set the outputs to their safe "
-           "values";
+    return fmt::format("{}; devices are {}; {}", end_text(change_), names_of_devices(),
+                       link_.is_safe() ? "the outputs are at their safe values"
+                                       : "the outputs may not be at their safe values");
+  if (process_ < 0 && !finished_)
+    return fmt::format(
+        "the guard has not come to its end after the safe values; a driver of {} has failed "
+        "there or does not return",
+        names_of_devices());
   return link_.state() == GuardState::running ? "" : link_.reason();
 }
 

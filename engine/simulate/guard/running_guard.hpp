@@ -48,7 +48,10 @@ class RunningGuard {
   /// Returns how the process of the guard has ended; std::nullopt while it lives.
   std::optional<siginfo_t> end_of_process() const noexcept;
   bool is_well() noexcept;
-  void rescue() noexcept;
+  void rescue(const siginfo_t& change) noexcept;
+  /// Returns "the guard was ended by signal 11 (Segmentation fault)" or another end of its process.
+  std::string end_text(const siginfo_t& change) const;
+  std::string names_of_devices() const;
   void await(GuardState worst, std::int64_t limit, const std::atomic<bool>* interrupt = nullptr);
 
   GuardCall call_;
@@ -56,6 +59,8 @@ class RunningGuard {
   io::Descriptor life_;
   pid_t process_ = -1;
   std::atomic<bool> gone_{false}, finishing_{false};
+  bool finished_ = false;  ///< whole
+  siginfo_t change_{};  ///< end or stop of the process when it was gone; all 0 where it did not read in time
   std::thread process_watch_;  ///< sleeps until the guard has ended or is stopped
 };
 

@@ -9,7 +9,6 @@ namespace stepwire::realtime {
 
 namespace {
 
-constexpr std::int64_t min_lead = 1'000'000;  // [ns]
 constexpr int warm_up_ticks = 100;
 
 Eigen::Index size_of_input(const plan::Plan& plan, const diagram::DiagramInput& input) {
@@ -73,12 +72,11 @@ void Loop::prepare_outputs() {
 
 void Loop::serve(std::int64_t count) {
   const std::int64_t end = std::min(options_.deadlines, deadlines_.index() + count);
-  const auto period = static_cast<std::int64_t>(1e9 / options_.rate);
   if (!began_) {
     watched_.begin();
     device_.start();
   }
-  deadlines_.start_at(clock_.now() + std::max(period, min_lead));
+  deadlines_.start_at(clock_.now());
   if (!began_) began_ = deadlines_.at(0);
   const ThreadCounts before = ThreadCounts::now();
   while (!end_ && !pauses() && deadlines_.index() < end) wait_and_step(end);

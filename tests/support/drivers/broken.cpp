@@ -22,7 +22,7 @@ class BrokenDevice {
   }
   int read(double*) const { return STEPWIRE_OK; }
   int write(const double*) const { return fails_ == "write" ? STEPWIRE_FAILED : STEPWIRE_OK; }
-  int safe() const { return STEPWIRE_OK; }
+  int safe() const { return fails_ == "safe" ? STEPWIRE_FAILED : STEPWIRE_OK; }
   void stop() const {}
   void report(char* text, std::size_t) const { *text = 0; }
 
@@ -34,7 +34,7 @@ class BrokenDevice {
 }  // namespace
 
 extern "C" const stepwire_driver* stepwire_driver_v1(void) {
-  static const stepwire_known_setting settings[] = {{"fails", "open, start, crash or write", nullptr},
+  static const stepwire_known_setting settings[] = {{"fails", "open, start, crash, write or safe", nullptr},
                                                     {nullptr, nullptr, nullptr}};
   static const stepwire_driver driver =
       stepwire::support::driver_table<BrokenDevice>("broken", "a device that fails", settings);

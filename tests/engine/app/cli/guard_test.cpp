@@ -102,6 +102,32 @@ TEST_CASE("a loop that is killed together with its guard leaves the safe value a
   }
 }
 
+TEST_CASE("a loop that is stopped together with its guard leaves the safe value at the rig") {
+  Guarded one;
+  REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
+  const int guard = one.loop->child("stepwire_guard");
+  REQUIRE(guard > 0);
+  ::kill(guard, SIGKILL);
+  one.loop->send(SIGSTOP);
+  CHECK(one.rig.steps_until(safe, soon) <= soon);
+  one.loop->send(SIGKILL);
+  CHECK(processes_in(one.folder.path("")) == 0);
+}
+
+TEST_CASE("a loop that only writes ends once the host of its memory has ended") {
+  Guarded one("late: 100 ms\n");
+  one.folder.file("rig.yaml", "devices: {rig: {driver: shared, name: " + Guarded::name() +
+                                  "}}\noutputs: {current: {device: rig, channel: current, limits: [-1 A, 1 "
+                                  "A]}}\nlate: 100 ms\n");
+  one.loop->send(SIGKILL);
+  one.loop->end();
+  one.begin();
+  REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
+  one.rig.leave();
+  CHECK(one.loop->end() == 3);
+  CHECK_THAT(one.errors(), Contains("the device rig does not answer"));
+}
+
 TEST_CASE("a loop that is stopped is late, and gets its outputs back only by a new start") {
   Guarded one;
   REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
@@ -124,7 +150,9 @@ TEST_CASE("a loop whose guard is killed or stopped sets the safe value itself, a
     ::kill(guard, signal);
     CHECK(one.rig.steps_until(safe, soon) <= soon);
     CHECK(one.loop->end() == 3);
-    CHECK_THAT(one.errors(), Contains("the guard has ended or does not get the processor"));
+    CHECK_THAT(one.errors(), Contains(signal == SIGKILL ? "the guard was ended by signal 9"
+                                                        : "the guard was stopped by signal 19") &&
+                                 Contains("the outputs are at their safe values"));
     CHECK(processes_in(one.folder.path("")) == 0);
   }
 }

@@ -253,6 +253,7 @@ TEST_CASE("a driver that fails is named with its function, or with the signal th
       one.open();
       one.write(0.5);
       one.rig->device().rest(nullptr);
+      one.rig->finish();
       return one.rig->trouble();
     } catch (const std::exception& error) {
       return std::string(error.what());
@@ -263,6 +264,8 @@ TEST_CASE("a driver that fails is named with its function, or with the signal th
     CHECK_THAT(trouble("start", guard), Contains("driver broken: start has failed without a reason"));
   CHECK_THAT(trouble("crash", "true"),
              Contains("the guard was ended by signal 11") && Contains("while it started bad"));
+  for (const std::string guard : {"true", "false"})
+    CHECK(trouble("safe", guard) == "the device bad does not answer");
   CHECK(trouble("write", "false") == "the device bad does not answer");
 }
 

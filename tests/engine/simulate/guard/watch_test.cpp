@@ -251,6 +251,19 @@ TEST_CASE("commands do not keep a guard from its inputs") {
   CHECK(force == 2.0);
 }
 
+TEST_CASE("safe values reach each device that opens, and the others are named") {
+  const std::string name = "stepwire-test-safe-" + std::to_string(::getpid());
+  const std::string file = driver::driver_file("shared");
+  RigHost rig(name);
+  GuardCall call;
+  call.devices = {{"gone", "shared", file, {{"name", name + "-none"}}, 1},
+                  {"rig", "shared", file, {{"name", name}, {"stale", "100 s"}}, 1}};
+  call.limits.outputs = {{"gone.current", 0.5}, {"rig.current", 0.125}};
+  CHECK_THAT(set_safe(call),
+             Catch::Contains("gone: driver shared: there is no shared memory") && !Catch::Contains("rig:"));
+  CHECK(rig.step(1.0) == 0.125);
+}
+
 TEST_CASE("a guard renews the safe values as long as no command comes") {
   const std::string name = "stepwire-test-rests-" + std::to_string(::getpid());
   RigHost rig(name, "200 ms");
