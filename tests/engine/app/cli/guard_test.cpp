@@ -98,7 +98,6 @@ TEST_CASE("a loop that is killed together with its guard leaves the safe value a
     if (!guard_first) ::kill(guard, SIGKILL);
     CHECK(one.rig.steps_until(safe, soon) <= soon);
     CHECK(processes_in(one.folder.path("")) == 0);
-    CHECK_THAT(one.errors(), Contains("a third process has set all outputs to their safe values"));
   }
 }
 
