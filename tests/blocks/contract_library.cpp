@@ -37,6 +37,7 @@ ContractLibrary::ContractLibrary(const std::string& source, const std::string& o
   std::ofstream(stem + ".cpp") << source;
   std::vector<std::string> flags = codegen::library_flags();
   flags.push_back(optimisation);
+  flags.push_back("-DSTEPWIRE_SLEEF");
   const std::string problem = compiler.compile(stem + ".cpp", library, flags, {});
   INFO(problem.substr(0, 2000));
   REQUIRE(problem.empty());

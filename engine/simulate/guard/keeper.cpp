@@ -3,12 +3,15 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <fstream>
+#include <string>
 
 #include "engine/base/io/environment_error.hpp"
 #include "engine/simulate/guard/guard_call.hpp"
@@ -19,7 +22,7 @@ namespace {
 
 constexpr unsigned longest = 10;                   // of the calls of drivers [s]
 constexpr std::int64_t between_tries = 1'000'000;  // between two tries [ns]
-constexpr int most_opens = 100;
+constexpr int most_opens = 4000;
 
 /// Waits until all other ends of a pipe are closed. Nothing is written to it.
 void await_end(int descriptor) {
@@ -41,11 +44,22 @@ void end_by_time(int) {
   ::_exit(3);
 }
 
+/// Kills the loop if it is stopped. `process` is its descriptor, so that no other process is meant.
+void end_stopped_loop(const Link& link, int process) {
+  std::ifstream file("/proc/" + std::to_string(link.loop()) + "/stat");
+  std::string stat;
+  std::getline(file, stat);
+  const std::size_t state = stat.rfind(") ");
+  if (state != std::string::npos && stat.compare(state + 2, 1, "T") == 0)
+    ::syscall(SYS_pidfd_send_signal, process, SIGKILL, nullptr, 0);
+}
+
 /// Tries again while the loop has an exclusive device open.
-void set_safe_in_place_of_loop(Link& link, const GuardCall& call) {
+void set_safe_in_place_of_loop(Link& link, const GuardCall& call, int loop) {
   std::string failures = set_safe(call);
   for (int tries = 0; tries < most_opens && !failures.empty(); ++tries) {
     if (becomes_safe(link, between_tries)) return;
+    end_stopped_loop(link, loop);
     failures = set_safe(call);
   }
   if (failures.empty()) {
@@ -57,14 +71,14 @@ void set_safe_in_place_of_loop(Link& link, const GuardCall& call) {
   }
 }
 
-[[noreturn]] void keep(Link& link, int guard) {
+[[noreturn]] void keep(Link& link, int guard, int loop) {
   ::prctl(PR_SET_NAME, "stepwire_keeper");
   const GuardCall call = guard_call(link.call());
   become_prompt(call.priority);
   await_end(guard);
   std::signal(SIGALRM, end_by_time);
   ::alarm(longest);
-  if (!becomes_safe(link, call.limits.period / 2)) set_safe_in_place_of_loop(link, call);
+  if (!becomes_safe(link, call.limits.period / 2)) set_safe_in_place_of_loop(link, call, loop);
   ::_exit(0);
 }
 
@@ -73,10 +87,11 @@ void set_safe_in_place_of_loop(Link& link, const GuardCall& call) {
 void start_keeper(Link& link) {
   std::array<int, 2> ends{-1, -1};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw io::EnvironmentError("the guard has no pipe");
+  const auto loop = static_cast<int>(::syscall(SYS_pidfd_open, link.loop(), 0));
   const pid_t keeper = ::fork();
   if (keeper < 0) throw io::EnvironmentError("the guard cannot start its keeper");
   ::close(ends[keeper == 0 ? 1 : 0]);  // the guard holds the end to write until it ends
-  if (keeper == 0) keep(link, ends[0]);
+  if (keeper == 0) keep(link, ends[0], loop);
 }
 
 }  // namespace stepwire::guard

@@ -75,6 +75,7 @@ Link::Link(std::size_t inputs, std::size_t outputs, std::string_view call)
   if (!memory_.open() || ::ftruncate(memory_.number(), static_cast<off_t>(bytes)) != 0) fail();
   map(bytes);
   ::new (head_) Head();
+  head_->loop = ::getpid();
   head_->inputs = inputs;
   head_->outputs = outputs;
   head_->call = call.size();

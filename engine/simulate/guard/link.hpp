@@ -55,6 +55,8 @@ class Link {
   Link& operator=(const Link&) = delete;
 
   int descriptor() const { return memory_.number(); }
+  /// Returns the process that has created it, which is the loop.
+  int loop() const { return head_->loop; }
   std::string_view call() const;
   SharedNumbers inputs() const { return {head_->inputs_lock, numbers(), head_->inputs}; }
   SharedNumbers commands() const { return {head_->commands_lock, numbers() + head_->inputs, head_->outputs}; }
@@ -89,6 +91,7 @@ class Link {
         safe{0};
     std::atomic<int> processor{-1};  // of the last beat
     std::atomic<std::int64_t> read_at{0};
+    int loop = 0;
     std::size_t inputs = 0, outputs = 0, call = 0;
     std::array<char, 512> reason{};
     std::array<char, 4096> reports{};
