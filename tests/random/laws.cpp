@@ -169,7 +169,7 @@ void write_files(const std::string& folder, const run::Job& job, const run::RunR
   for (std::size_t r = 0; r < result.recordings.size(); ++r)
     io::write_file(fmt::format("{}/{}", folder, io::numbered("signals", r, ".csv")),
                    table::csv_text(result.recordings[r].table));
-  io::write_file(folder + "/run.json", "{\"sweep\": [], \"runs\": 1}\n");
+  io::write_file(folder + "/run.json", "{\"sweep\": [], \"runs\": 1, \"functions\": \"portable\"}\n");
 }
 
 Verdict verified(const Trial& trial, BatchCode&) {
