@@ -309,7 +309,8 @@ std::optional<double> time_of_try(const Fault& fault, const Way& way, const Plac
   return time;
 }
 
-/// Starts another loop in place of one that has ended before its fault, and prints what it said.
+/// Returns the time of a fault. A loop that has ended before its fault is replaced by another one, and its
+/// report is printed.
 double time_of(const Fault& fault, const Way& way, const Place& place) {
   for (;;) {
     if (const auto time = time_of_try(fault, way, place)) return *time;

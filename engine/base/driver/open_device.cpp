@@ -55,14 +55,14 @@ std::string unknown_driver(const std::string& name) {
                      fmt::join(driver_folders(), ", "));
 }
 
-/// Throws where a shared object is shorter than its table of segments says. The loader would map its missing
-/// pages, and end the process by SIGBUS at the first access.
+/// Throws where a shared object ends before the last segment of its table. The loader would map the missing
+/// pages, and the first access there would end the process by SIGBUS.
 void require_all_bytes(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   Elf64_Ehdr head{};
   if (!stream.read(reinterpret_cast<char*>(&head), sizeof head) ||
       std::memcmp(head.e_ident, ELFMAG, SELFMAG) != 0 || head.e_phentsize != sizeof(Elf64_Phdr))
-    return;  // the loader says what is wrong
+    return;  // dlopen() refuses it
   std::vector<Elf64_Phdr> segments(head.e_phnum);
   stream.seekg(static_cast<std::streamoff>(head.e_phoff));
   const auto bytes = static_cast<std::streamsize>(segments.size() * sizeof(Elf64_Phdr));
@@ -133,7 +133,7 @@ const stepwire_driver& load_driver(const std::string& file) {
   return *driver;
 }
 
-/// Returns the sentence of a driver; one that has none is told with its function.
+/// Returns the reason of a driver for a failed function, or the name of that function for an empty reason.
 static std::string reason_of(const stepwire_driver& driver, const char* text, const char* function) {
   const std::string reason = *text ? text : fmt::format("{} has failed without a reason", function);
   return fmt::format("driver {}: {}", driver.name, reason);

@@ -26,7 +26,7 @@ GuardCall guard_call(std::string_view bytes);
 /// those that fail; "" for none.
 std::string set_safe(const GuardCall& call) noexcept;
 
-/// Sets real-time scheduling of this process, and locks its memory. What the system refuses is left out.
+/// Sets real-time scheduling of this process, and locks its memory, as far as the system allows it.
 void become_prompt(int priority);
 
 }  // namespace stepwire::guard

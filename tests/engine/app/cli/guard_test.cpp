@@ -120,6 +120,7 @@ TEST_CASE("a loop that only writes ends once the host of its memory has ended") 
                                   "A]}}\nlate: 100 ms\n");
   one.loop->send(SIGKILL);
   one.loop->end();
+  REQUIRE(processes_in(one.folder.path("")) == 0);  // its guard has the memory until then
   one.begin();
   REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
   one.rig.leave();
