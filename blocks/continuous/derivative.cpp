@@ -7,7 +7,9 @@ namespace stepwire {
 void Derivative::configure(Configure& is) {
   const bool given = is.initial_given<&Derivative::x>() || is.connected<&Derivative::initial_>();
   follows = settled && !given;
-  if (configure_reset(*this, is)) return;
+  const bool resets_states = configure_reset(*this, is);
+  is.skip_before_instant(trigger != Trigger::level || !is.connected<&Derivative::reset>());
+  if (resets_states) return;
   is.skip_instants(!follows);
   if (follows)
     is.update_keeps_outputs();

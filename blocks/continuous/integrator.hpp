@@ -17,13 +17,8 @@ struct Integrator : Resettable {
   Output<> y{}, before{};
   DiscreteState<> stop{};  // 1 at the upper and -1 at the lower limit at the last tick, else 0
 
-  void outputs() {
-    for (Index i = 0; i < y.size(); ++i) y[i] = limit(x[i], i);
-  }
-  void outputs_at_instant() {
-    const bool now = resetting();
-    for (Index i = 0; i < y.size(); ++i) y[i] = limit(now ? target(i) : x[i], i);
-  }
+  void outputs() { show(held()); }
+  void outputs_at_instant() { show(resetting()); }
 
   void derivatives() {
     if (slope_is_input) {
@@ -33,6 +28,7 @@ struct Integrator : Resettable {
     }
   }
 
+  void update_before_instant() { follow_target(x); }
   void update() {
     const bool now = resetting();
     for (Index i = 0; i < x.size(); ++i) {
@@ -56,6 +52,9 @@ struct Integrator : Resettable {
   static void declare(Declare<Integrator>& is);
 
  private:
+  void show(bool at_target) {
+    for (Index i = 0; i < y.size(); ++i) y[i] = limit(at_target ? target(i) : x[i], i);
+  }
   STEPWIRE_RARE void integrate_within_limits() {
     const bool still = held();
     for (Index i = 0; i < x.size(); ++i) x.derivative[i] = still ? 0.0 : gated(u[i], i);

@@ -14,11 +14,8 @@ struct Lag : Resettable {
   PerElement decay = 1.0;  // 1 / tau; faster than a division in every stage
 
   /// Runs only if something resets, like update().
-  void outputs() { y = x; }
-  void outputs_at_instant() {
-    const bool now = resetting();
-    for (Index i = 0; i < y.size(); ++i) y[i] = now ? target(i) : x[i];
-  }
+  void outputs() { show(held()); }
+  void outputs_at_instant() { show(resetting()); }
 
   void derivatives() {
     if (resets && held()) {
@@ -28,6 +25,7 @@ struct Lag : Resettable {
     }
   }
 
+  void update_before_instant() { follow_target(x); }
   void update() {
     if (resetting())
       for (Index i = 0; i < x.size(); ++i) x[i] = target(i);
@@ -40,6 +38,11 @@ struct Lag : Resettable {
   }
   void start() { home = x; }
   static void declare(Declare<Lag>& is);
+
+ private:
+  void show(bool at_target) {
+    for (Index i = 0; i < y.size(); ++i) y[i] = at_target ? target(i) : x[i];
+  }
 };
 
 }  // namespace stepwire

@@ -9,14 +9,8 @@ struct LuenbergerObserver : LinearObserver {
   State<> x{};
 
   /// Runs only if something resets, like update().
-  void outputs() { estimate = x; }
-  void outputs_at_instant() {
-    if (resetting()) {
-      estimate = Targets{*this};
-    } else {
-      estimate = x;
-    }
-  }
+  void outputs() { show(held()); }
+  void outputs_at_instant() { show(resetting()); }
 
   void derivatives() {
     x.derivative = 0.0;
@@ -26,6 +20,7 @@ struct LuenbergerObserver : LinearObserver {
     for (Index k = 0; k < measured.size(); ++k) correct_by(k);
   }
 
+  void update_before_instant() { follow_target(x); }
   void update() {
     if (resetting()) x = Targets{*this};
     remember_reset();
@@ -36,6 +31,9 @@ struct LuenbergerObserver : LinearObserver {
   static void declare(Declare<LuenbergerObserver>& is);
 
  private:
+  void show(bool at_target) {
+    for (Index i = 0; i < estimate.size(); ++i) estimate[i] = at_target ? target(i) : x[i];
+  }
   /// Adds the column of L times the innovation of measurement k.
   void correct_by(Index k) {
     double residual = measured[k];

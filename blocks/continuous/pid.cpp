@@ -91,6 +91,7 @@ void PID::configure(Configure& is) {
   if (is.connected<&PID::automatic>()) is.require<&PID::manual>("it says when the command is given by hand");
   plain = !configure_reset(*this, is) && !by_hand;
   is.skip_instants(plain);
+  is.skip_before_instant(trigger != Trigger::level || !is.connected<&PID::reset>());
   const bool has_limits = limits(lower, upper), of_integral = limits(integral_lower, integral_upper);
   if (plain && !has_limits && !of_integral) is.skip_crossings();
   if (!plain || of_integral) return;

@@ -48,6 +48,13 @@ struct PID : Resettable {
     }
   }
 
+  void update_before_instant() {
+    for (Index i = 0; held() && i < integral.size(); ++i) {
+      const Parts parts = here(i);
+      integral[i] = parts.integral;
+      filter[i] = parts.filter;
+    }
+  }
   /// Runs only if the filter is settled, a limit is set, or `plain` is false.
   void update() {
     follow();
@@ -102,17 +109,19 @@ struct PID : Resettable {
     return now > upper[i] ? 1.0 : now < lower[i] ? -1.0 : 0.0;
   }
   bool by_hand() const { return !plain && manual.connected() && !(automatic > 0.0); }
-  /// Returns the states; before the first update the derivative part is 0, unless its filter starts at 0.
+  /// Returns the states between instants; before the first update the derivative part is 0, unless its filter
+  /// starts at 0.
   Parts here(Index i) const {
+    if (!plain && held() && !(hand > 0.0)) return restarted(i);
     return {integral[i], settled && begun == 0.0 ? weighted(weight_d, i) : filter[i]};
   }
   /// Returns the states at an instant: after a reset the derivative part is 0, unless its filter starts at 0.
   Parts at_instant(Index i) const {
     const bool back = !plain && resetting();
     if (hand > 0.0 && !by_hand() && !back) return handed_over(i);
-    if (!back) return here(i);
-    return {target(i), settled ? weighted(weight_d, i) : 0.0};
+    return back ? restarted(i) : here(i);
   }
+  Parts restarted(Index i) const { return {target(i), settled ? weighted(weight_d, i) : 0.0}; }
   /// Returns the states with which the controller begins at the output of the hand.
   Parts handed_over(Index i) const {
     const Parts now = here(i);

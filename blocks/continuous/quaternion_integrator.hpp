@@ -15,14 +15,8 @@ struct QuaternionIntegrator : Resettable {
   Output<4> y{};
   State<4> x{};
 
-  void outputs() { show(x); }
-  void outputs_at_instant() {
-    if (resetting()) {
-      show(Targets{*this});
-    } else {
-      show(x);
-    }
-  }
+  void outputs() { held() ? show(Targets{*this}) : show(x); }
+  void outputs_at_instant() { resetting() ? show(Targets{*this}) : show(x); }
 
   void derivatives() {
     if (held()) {
@@ -36,6 +30,7 @@ struct QuaternionIntegrator : Resettable {
     x.derivative[3] = 0.5 * (x[0] * rate[2] + s * (x[1] * rate[1] - x[2] * rate[0]));
   }
 
+  void update_before_instant() { follow_target(x); }
   /// Normalises the quaternion at each tick, since errors of the solver change its length.
   void update() {
     x = y;

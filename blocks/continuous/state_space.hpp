@@ -9,14 +9,8 @@ struct StateSpace : LinearSystem {
   Output<> y{};
   State<> x{};
 
-  void outputs() { show(x); }
-  void outputs_at_instant() {
-    if (resetting()) {
-      show(Targets{*this});
-    } else {
-      show(x);
-    }
-  }
+  void outputs() { held() ? show(Targets{*this}) : show(x); }
+  void outputs_at_instant() { resetting() ? show(Targets{*this}) : show(x); }
 
   void derivatives() {
     x.derivative = 0.0;
@@ -25,6 +19,7 @@ struct StateSpace : LinearSystem {
     dense::add(B, u, x.derivative);
   }
 
+  void update_before_instant() { follow_target(x); }
   /// Runs only if something resets.
   void update() {
     if (resetting()) x = Targets{*this};

@@ -14,8 +14,8 @@ struct TransferFunction : Resettable {
 
   Rational form;
 
-  void outputs() { y = form.output(u, x); }
-  void outputs_at_instant() { y = resetting() ? form.output(u, Targets{*this}) : form.output(u, x); }
+  void outputs() { show(held()); }
+  void outputs_at_instant() { show(resetting()); }
 
   void derivatives() {
     if (held()) {
@@ -26,6 +26,7 @@ struct TransferFunction : Resettable {
     for (Index i = 1; i < x.size(); ++i) x.derivative[i] = x[i - 1];
   }
 
+  void update_before_instant() { follow_target(x); }
   /// Runs only if something resets.
   void update() {
     if (resetting()) x = Targets{*this};
@@ -35,6 +36,9 @@ struct TransferFunction : Resettable {
   void configure(Configure& is);
   void start() { home = x; }
   static void declare(Declare<TransferFunction>& is);
+
+ private:
+  void show(bool at_target) { y = at_target ? form.output(u, Targets{*this}) : form.output(u, x); }
 };
 
 }  // namespace stepwire

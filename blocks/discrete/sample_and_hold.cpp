@@ -9,7 +9,8 @@ void SampleAndHold::declare(Declare<SampleAndHold>& is) {
       "SampleAndHold",
       {.doc = "Takes its input at the ticks at which `when` says so, shows it at once, and holds it until "
               "the next time; `initial` before the first. With the trigger `level` it follows its input "
-              "while `when` is true, and holds the last value after that.",
+              "while `when` is true, and holds the last value after that: the one of the last tick, and with "
+              "`events: locate` the one just before `when` becomes false.",
        .symbol = {.curve = "M-1 -.8C-.6 -.8 -.6 .4 -.3 .4H.3M.3 .4H1M-.3 -.9V-.5M.3 -.9V-.5"},
        .at_events = true});
   is.parameter<&SampleAndHold::trigger>(

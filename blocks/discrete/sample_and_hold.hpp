@@ -20,6 +20,10 @@ struct SampleAndHold {
     for (Index i = 0; i < y.size(); ++i) y[i] = now ? u[i] : last[i];
   }
 
+  /// Takes the last sample of a level trigger that may become false at the coming instant.
+  void update_before_instant() {
+    if (side > 0.0) last = u;
+  }
   void update() {
     if (takes()) last = u;
     side = when > 0.0 ? 1.0 : -1.0;
@@ -27,6 +31,7 @@ struct SampleAndHold {
 
   void crossings(Crossings& zero) const { zero.add(when); }
 
+  void configure(Configure& is) { is.skip_before_instant(trigger != Trigger::level || !is.acts_at_events()); }
   static void declare(Declare<SampleAndHold>& is);
 
  private:

@@ -16,11 +16,14 @@ struct Backlash : Resettable {
   DiscreteState<> last{};
 
   void outputs() {
-    for (Index i = 0; i < y.size(); ++i) y[i] = pushed(i);
+    for (Index i = 0; i < y.size(); ++i) y[i] = pushed(i, resetting());
   }
 
+  void update_before_instant() {
+    for (Index i = 0; held() && i < last.size(); ++i) last[i] = pushed(i, true);
+  }
   void update() {
-    for (Index i = 0; i < last.size(); ++i) last[i] = pushed(i);
+    for (Index i = 0; i < last.size(); ++i) last[i] = pushed(i, resetting());
     remember_reset();
   }
 
@@ -47,9 +50,9 @@ struct Backlash : Resettable {
   /// Margin of the crossing functions. While the output is pushed, they are 0 up to rounding, and must count
   /// as above 0.
   static constexpr double epsilon = 4.0 * std::numeric_limits<double>::epsilon();
-  double pushed(Index i) const {
+  double pushed(Index i, bool at_target) const {
     const double half = width[i] / 2.0;
-    return std::clamp(resetting() ? target(i) : last[i], u[i] - half, u[i] + half);
+    return std::clamp(at_target ? target(i) : last[i], u[i] - half, u[i] + half);
   }
 };
 

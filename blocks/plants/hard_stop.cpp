@@ -45,6 +45,9 @@ void HardStop::declare(Declare<HardStop>& is) {
        .settable = false});
   is.state<&HardStop::struck_at>(
       {.unit = "s", .doc = "time of the last hit at a tick; -1 before the first one", .settable = false});
+  is.diagnostic<&HardStop::begins_beyond>(
+      {.doc = "the body begins beyond a stop; give it an initial position between `lower` and `upper`",
+       .ends_run = true});
   is.clock<&HardStop::t>();
   is.clock<&HardStop::period>();
 }

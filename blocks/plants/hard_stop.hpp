@@ -18,6 +18,7 @@ struct HardStop {
   DiscreteState<> rest{};  // Velocity of a resting mass at the last instant.
   DiscreteState<> struck{};     // 1 after a hit at the last instant, else -1; 0 before the first one.
   DiscreteState<> struck_at{};  // Time of the last hit at a tick [s].
+  Diagnostic begins_beyond{};
 
   Time t{};
   Period period{};
@@ -39,6 +40,7 @@ struct HardStop {
   }
   void update() {
     for (Index i = 0; i < side.size(); ++i) {
+      if (struck[i] == 0.0 && is_beyond(i)) begins_beyond.raise(t);
       if (is_hit(i)) struck_at[i] = t;
       follow(i);
     }
@@ -61,6 +63,12 @@ struct HardStop {
   static void declare(Declare<HardStop>& is);
 
  private:
+  /// True beyond a stop by more than rounding and a step at the speed `slow`. At the first instant no impact
+  /// has brought the body there.
+  bool is_beyond(Index i) const {
+    const double margin = 1e-9 * std::abs(position[i]) + slow[i] * period;
+    return position[i] > upper[i] + margin || position[i] < lower[i] - margin;
+  }
   void follow(Index i) {
     const bool now = is_hit(i);
     side[i] = next_side(i);

@@ -33,6 +33,11 @@ void Mass::declare(Declare<Mass>& is) {
 void Mass::configure(Configure& is) {
   if (!is.connected<&Mass::reset>() && is.connected<&Mass::value>())
     is.require<&Mass::reset>("a velocity to reset to is wired");
+  if (trigger == Trigger::level && is.connected<&Mass::value>() && !is.constant<&Mass::value>())
+    throw ParameterRefused(
+        "trigger",
+        "a level trigger holds the mass, so its velocity cannot follow a signal: use rising, "
+        "falling or either, or leave `value` out");
   if (!configure_reset_input(*this, is)) is.skip_update();
 }
 

@@ -32,7 +32,8 @@ struct Configuration {
   /// State and input, where the input is the derivative of the state; both empty otherwise.
   std::pair<std::string, std::string> slope_source;
   bool skips_outputs = false, skips_update = false, skips_crossings = false;
-  bool skips_instants = false, steady = false, smooth = false, keeps_to_ticks = false;
+  bool skips_instants = false, skips_before_instant = false, steady = false, smooth = false,
+       keeps_to_ticks = false;
   bool update_keeps_outputs = false, remembers_nothing = false;
   std::set<std::string> asked_initial;  ///< arguments of initial_given()
 
@@ -46,14 +47,15 @@ class Configure {
  public:
   Configure(std::set<std::string> connected, double period, std::map<std::string, Eigen::Index> counts = {},
             std::string name = "", std::map<std::string, double> constants = {},
-            std::set<std::string> initial = {}, bool located = false)
+            std::set<std::string> initial = {}, bool located = false, bool in_stages = false)
       : connected_(std::move(connected)),
         period_(period),
         counts_(std::move(counts)),
         name_(std::move(name)),
         constants_(std::move(constants)),
         initial_(std::move(initial)),
-        located_(located) {}
+        located_(located),
+        in_stages_(in_stages) {}
 
   /// Returns the block's name in the diagram, "rig.wheel"; for messages only.
   const std::string& name() const { return name_; }
@@ -84,14 +86,14 @@ class Configure {
   }
   /// Returns the time between two updates of this block [s].
   double period() const { return period_; }
-  /// True where this instance acts at located events, and its modes are held between them.
+  /// True where this instance acts at located events.
   bool acts_at_events() const { return located_; }
   /// Sets `holds` for a block whose outputs() reads a mode that outputs_at_instant() stores: true where this
-  /// instance acts at located events. Elsewhere the mode follows the inputs in the solver's stages, and
-  /// nothing is remembered.
+  /// instance acts at located events and in the solver's stages between them. Elsewhere the mode follows the
+  /// inputs, and nothing is remembered.
   void hold_mode(bool& holds) {
-    holds = located_;
-    if (located_) return;
+    holds = located_ && in_stages_;
+    if (holds) return;
     skip_instants();
     remember_nothing();
   }
@@ -126,6 +128,8 @@ class Configure {
   void skip_crossings() { answers_.skips_crossings = true; }
   /// The outputs of this instance are the same at an instant as in the solver's stages.
   void skip_instants(bool skips = true) { answers_.skips_instants = skips; }
+  /// This instance needs no call of update_before_instant().
+  void skip_before_instant(bool skips = true) { answers_.skips_before_instant = skips; }
   /// This instance acts only at ticks, although its type acts at events as well.
   void keep_to_ticks() { answers_.keeps_to_ticks = true; }
   /// The outputs of this instance are constant between its crossings.
@@ -158,7 +162,7 @@ class Configure {
   std::string name_;
   std::map<std::string, double> constants_;
   std::set<std::string> initial_;  ///< states with an initial value in the file
-  bool located_;
+  bool located_, in_stages_;
   Configuration answers_;
 };
 

@@ -57,6 +57,8 @@ bool configure_reset(Block& block, Configure& is) {
     is.require<&Block::reset>("a value to reset to is wired");
   block.resets = is.connected<&Block::reset>() || is.connected<&Block::initial_>();
   is.skip_instants(!block.resets);
+  is.skip_before_instant(block.trigger != ResetInput::Trigger::level || !is.connected<&Block::reset>() ||
+                         !(is.connected<&Block::value>() || is.connected<&Block::initial_>()));
   return block.resets;
 }
 

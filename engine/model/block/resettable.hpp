@@ -17,8 +17,8 @@ struct ResetInput {
 
   /// True at a tick at which the block resets; constant until remember_reset().
   bool resetting() const { return resets && reset.connected() && fires(trigger, side, reset > 0.0); }
-  /// True where a level trigger holds the states between ticks. It is evaluated at the tick and applies to
-  /// the whole step: a change within a step would degrade the solver's order.
+  /// True where a level trigger holds the states between instants. It is a mode: it is evaluated at an
+  /// instant and applies up to the next one.
   bool held() const { return resets && trigger == Trigger::level && reset.connected() && side > 0.0; }
   /// Adds the crossing that declare_reset() declares; a block with crossings of its own calls it first.
   void crossings(Crossings& zero) const { zero.add_connected(reset); }
@@ -46,6 +46,12 @@ struct Resettable : ResetInput {
   double target(Index i) const {
     if (value.connected() && !starting()) return value[i];
     return initial_.connected() ? initial_[i] : home[i];
+  }
+  /// Sets held states to their targets just before an instant: while a level trigger holds them they follow
+  /// their targets, and a release begins there.
+  template <class States>
+  void follow_target(States& states) const {
+    for (Index i = 0; held() && i < states.size(); ++i) states[i] = target(i);
   }
 };
 

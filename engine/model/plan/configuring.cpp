@@ -31,9 +31,12 @@ Configure what_is_known(const Plan& plan, std::size_t index, std::map<std::strin
   }
   for (const diagram::InitialValue& value : block.initial)
     initial.insert(block.type().states[static_cast<std::size_t>(value.state)].name);
+  const Rate& rate = plan.blocks[index].rate;
+  const bool continuous = rate.kind == Rate::Kind::continuous;
+  const bool each_tick = rate.kind == Rate::Kind::discrete && rate.ticks == 1 && !block.every;
   return Configure(std::move(connected), period_of(plan, index), std::move(counts), block.name,
                    std::move(constants), std::move(initial),
-                   plan.diagram.events.locate && plan.blocks[index].rate.kind == Rate::Kind::continuous);
+                   plan.diagram.events.locate && (continuous || each_tick), continuous);
 }
 
 yaml::Fault fault_of(const Plan& plan, std::size_t index, const ParameterRefused& refused) {
@@ -90,6 +93,7 @@ void configure_blocks(Draft& draft) {
     made.computes = bool(type.run_outputs);
     made.differs_at_instants = bool(type.run_outputs_at_instant);
     made.updates = bool(type.run_update);
+    made.updates_before_instant = bool(type.run_update_before_instant);
     if (type.configure || type.prepare) planned.written = block.block;
     if (!type.configure) continue;
     made.says = configure(draft.plan, i, block.block.get(), draft.report.faults());
@@ -102,6 +106,7 @@ void configure_blocks(Draft& draft) {
     made.computes = made.computes && !made.says.skips_outputs;
     made.differs_at_instants = made.differs_at_instants && !made.says.skips_instants;
     made.updates = made.updates && !made.says.skips_update;
+    made.updates_before_instant = made.updates_before_instant && !made.says.skips_before_instant;
     planned.configuration = std::make_shared<const Configuration>(made.says);
   }
 }

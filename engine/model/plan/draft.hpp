@@ -31,6 +31,7 @@ struct Draft {
     bool computes = false;             ///< It has an outputs() to call.
     bool differs_at_instants = false;  ///< It has another function for ticks and events.
     bool updates = false;
+    bool updates_before_instant = false;
     bool in_stages = false;      ///< Derivatives depend on its outputs.
     bool timed = false;          ///< Its outputs depend on time and constants alone.
     Eigen::Index crossings = 0;  ///< Number of its crossing functions.

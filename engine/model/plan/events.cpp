@@ -204,7 +204,7 @@ void find_between(Draft& draft) {
 void find_lefts(Draft& draft) {
   Upstream upstream(draft, &Draft::Block::for_left);
   for (std::size_t b = 0; b < draft.blocks.size(); ++b)
-    if (draft.type(b).run_update_before_instant) upstream.need_all(b);
+    if (draft.blocks[b].updates_before_instant) upstream.need_all(b);
   upstream.search();
 }
 

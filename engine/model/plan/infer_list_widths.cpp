@@ -15,32 +15,72 @@ namespace stepwire::plan {
 
 namespace {
 
-/// Finds the open nodes that depend on no other open node. Of a strongly connected component without further
-/// dependences it selects the first eligible node. `followings` has pairs of a node and one that it depends
-/// on, in any order. The components are found by Tarjan's algorithm in linear time.
-std::vector<int> ends_of_chains(const std::vector<bool>& open, const std::vector<bool>& may_be_chosen,
-                                const std::vector<std::pair<int, int>>& followings) {
-  const auto is_open = [&](int node) { return open[static_cast<std::size_t>(node)]; };
-  boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS> edges(open.size());
-  for (const auto& [node, from] : followings)
-    if (is_open(node) && is_open(from))
-      boost::add_edge(static_cast<std::size_t>(node), static_cast<std::size_t>(from), edges);
-  std::vector<std::size_t> component(open.size());
-  const std::size_t count = boost::strong_components(edges, component.data());
-  std::vector<bool> has_end(count, true);
-  for (const auto& [node, from] : followings) {
-    const std::size_t own = component[static_cast<std::size_t>(node)];
-    if (is_open(node) && is_open(from) && own != component[static_cast<std::size_t>(from)])
-      has_end[own] = false;
+/// Sizes as nodes of a graph. A pair of `followings` is a node and one that it depends on.
+struct SizeGraph {
+  std::vector<bool> open;
+  std::vector<bool> plain;        ///< follows its elements, and neither a sum nor a product
+  std::vector<bool> factor_free;  ///< is not the size of a matrix
+  std::vector<std::pair<int, int>> followings;
+};
+
+/// Finds open nodes of a graph that become scalars, by its strongly connected components (Tarjan).
+///
+/// A component of plain nodes becomes scalar as a whole if everything that it depends on is scalar, because
+/// the largest of scalars is a scalar. In any other component without further dependences the first node
+/// becomes a scalar; the others follow by propagation.
+class ScalarChoice {
+ public:
+  explicit ScalarChoice(const SizeGraph& graph) : graph_(graph), component_(graph.open.size()) {
+    boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS> edges(graph.open.size());
+    for (const auto& [node, from] : graph.followings)
+      if (graph.open[index(node)] && graph.open[index(from)])
+        boost::add_edge(index(node), index(from), edges);
+    const std::size_t count = boost::strong_components(edges, component_.data());
+    whole_.assign(count, true);
+    is_end_.assign(count, true);
+    judge_components();
   }
-  std::vector<int> chosen;
-  for (std::size_t node = 0; node < open.size(); ++node) {
-    if (!open[node] || !may_be_chosen[node] || !has_end[component[node]]) continue;
-    has_end[component[node]] = false;
-    chosen.push_back(static_cast<int>(node));
+
+  std::vector<int> nodes() {
+    std::vector<int> chosen;
+    for (std::size_t node = 0; node < graph_.open.size(); ++node)
+      if (graph_.open[node] && takes(node)) chosen.push_back(static_cast<int>(node));
+    return chosen;
   }
-  return chosen;
-}
+
+ private:
+  static std::size_t index(int node) { return static_cast<std::size_t>(node); }
+
+  /// Goes through the dependences between components in the order of the components: Tarjan's algorithm
+  /// numbers a component after all that it depends on.
+  void judge_components() {
+    for (std::size_t node = 0; node < graph_.open.size(); ++node)
+      if (graph_.open[node] && !graph_.plain[node]) whole_[component_[node]] = false;
+    std::vector<std::pair<std::size_t, std::size_t>> between;
+    for (const auto& [node, from] : graph_.followings)
+      if (graph_.open[index(node)] && graph_.open[index(from)] &&
+          component_[index(node)] != component_[index(from)])
+        between.emplace_back(component_[index(node)], component_[index(from)]);
+    std::sort(between.begin(), between.end());
+    for (const auto& [own, from] : between) {
+      whole_[own] = whole_[own] && whole_[from];
+      is_end_[own] = false;
+    }
+  }
+
+  /// True if a node becomes a scalar: each of a whole component, the first one of any other.
+  bool takes(std::size_t node) {
+    const std::size_t own = component_[node];
+    if (whole_[own]) return true;
+    if (!is_end_[own] || !graph_.factor_free[node]) return false;
+    is_end_[own] = false;
+    return true;
+  }
+
+  const SizeGraph& graph_;
+  std::vector<std::size_t> component_;
+  std::vector<bool> whole_, is_end_;
+};
 
 class ListWidthInference {
  public:
@@ -143,17 +183,37 @@ class ListWidthInference {
                       fmt::format("has {}; {} would fit", text::counted(size, "element"), fitting));
   }
 
-  /// Makes open sizes that depend on no other open size scalars. Returns false if no size is open.
+  /// Makes open sizes that depend on scalars alone scalars, too. Returns false if no size is open.
   bool settle_scalars() {
-    const auto all = followings();
-    std::vector<bool> open(static_cast<std::size_t>(sizes_.count())), has_no_factors(open.size());
-    for (int size = 0; size < sizes_.count(); ++size) {
-      open[static_cast<std::size_t>(size)] = sizes_.root(size) == size && !sizes_.value(size);
-      has_no_factors[static_cast<std::size_t>(size)] = !sizes_.factors(size);
-    }
-    const std::vector<int> chosen = ends_of_chains(open, has_no_factors, all);
+    const std::vector<int> chosen = ScalarChoice(size_graph()).nodes();
     for (const int size : chosen) learn(size, 1);
     return !chosen.empty();
+  }
+
+  SizeGraph size_graph() {
+    SizeGraph graph;
+    graph.followings = followings();
+    graph.plain.assign(static_cast<std::size_t>(sizes_.count()), true);
+    for (const int size : sums_and_products())
+      graph.plain[static_cast<std::size_t>(sizes_.root(size))] = false;
+    for (int size = 0; size < sizes_.count(); ++size) {
+      graph.open.push_back(sizes_.root(size) == size && !sizes_.value(size));
+      graph.factor_free.push_back(!sizes_.factors(size));
+    }
+    return graph;
+  }
+
+  /// Returns the sizes that are sums or belong to a product.
+  std::vector<int> sums_and_products() {
+    std::vector<int> all;
+    for (const auto& [sum, element] : matrices_.sums()) all.insert(all.end(), {sum, element});
+    for (const List& list : lists_)
+      if (draft_.type(list.block).inputs[list.input].shape.starts_with('+'))
+        all.push_back(sizes_.of_list(list.block, list.input));
+    for (int size = 0; size < sizes_.count(); ++size)
+      if (const auto matrix = sizes_.factors(size))
+        all.insert(all.end(), {size, matrix->first, matrix->second});
+    return all;
   }
 
   /// Returns pairs of a size and one that it depends on, both as union-find roots.

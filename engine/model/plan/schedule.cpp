@@ -220,7 +220,7 @@ void append_updates(Draft& draft, std::size_t block) {
   const BlockType& type = draft.type(block);
   append(draft.plan.updates, draft, block, type.run_update, 0, false, true);
   if (type.at_end) append(draft.plan.end_updates, draft, block, type.run_update, 0, false, true);
-  if (type.run_update_before_instant) append_left_update(draft, block);
+  if (draft.blocks[block].updates_before_instant) append_left_update(draft, block);
   if (draft.blocks[block].updates_at_events)
     append(draft.plan.event_updates, draft, block,
            type.run_update_at_event ? type.run_update_at_event : type.run_update, 0, false, true);

@@ -12,20 +12,24 @@ double last(const table::Table& run, const std::string& name) {
   return column(run, name).back();
 }
 
-table::Table ball(const std::string& events, const std::string& stop, const std::string& start = "1 m") {
-  return run_text("events: " + events + R"(
+std::string ball_text(const std::string& events, const std::string& stop, const std::string& start) {
+  return "events: " + events + R"(
 step: 1 ms
 stop: 6 s
 solver: rk4
 blocks:
   weight: {block: Constant, value: -9.81 N}
   floor: {block: HardStop, mass: 1 kg, lower: 0 m, force: weight, position: ball.position, velocity: ball.velocity, )" +
-                  stop + R"(}
+         stop + R"(}
   sum: {block: Sum, u: [weight, floor.y]}
   ball: {block: Mass, mass: 1 kg, force: sum, reset: floor.hit, value: floor.rebound, initial_position: )" +
-                  start + R"(}
+         start + R"(}
 record: [ball.position, ball.velocity, floor.rests, floor.y]
-)");
+)";
+}
+
+table::Table ball(const std::string& events, const std::string& stop, const std::string& start = "1 m") {
+  return run_text(ball_text(events, stop, start));
 }
 
 /// Height of a ball of 1 m with restitution 0.8 at a time, before it rests.
@@ -74,6 +78,13 @@ TEST_CASE(
   CHECK(std::abs(last(run, "ball.velocity")) < 1e-12);
   CHECK(last(run, "floor.rests") == -1.0);
   CHECK(last(run, "floor.y") == Approx(9.81).epsilon(1e-9));
+}
+
+TEST_CASE("a body that begins beyond a stop ends the run with a sentence") {
+  CHECK_NOTHROW(ball("tick", "restitution: 0.5", "0 m"));
+  for (const char* events : {"tick", "locate"})
+    CHECK_THAT(error_of(ball_text(events, "restitution: 0.5", "-0.1 m")),
+               Catch::Contains("floor") && Catch::Contains("begins beyond a stop"));
 }
 
 TEST_CASE("a ball that is not thrown back lies where it has fallen") {
