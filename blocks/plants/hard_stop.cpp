@@ -20,7 +20,8 @@ void HardStop::declare(Declare<HardStop>& is) {
                    "its `before`).",
             .source = "Newton's law of impact",
             .timing = Timing::continuous,
-            .symbol = {.curve = "M-.8 -.8V.8M.8 -.8V.8M-.5 0H.5M.3 -.2L.5 0L.3 .2"}});
+            .symbol = {.curve = "M-.8 -.8V.8M.8 -.8V.8M-.5 0H.5M.3 -.2L.5 0L.3 .2"},
+            .at_end = true});
   is.parameter<&HardStop::mass>(
       {.unit = "kg", .doc = "of the body, as in Mass", .above = 0.0, .required = true});
   is.parameter<&HardStop::lower>({.unit = "m", .doc = "position of the lower stop; none where left out"});

@@ -6,6 +6,7 @@
 
 #include "engine/base/expression/margin.hpp"
 #include "engine/model/plan/active.hpp"
+#include "engine/model/plan/tear_places.hpp"
 #include "engine/simulate/codegen/guard_text.hpp"
 #include "engine/simulate/codegen/solver_text.hpp"
 #include "engine/simulate/codegen/workspace_text.hpp"
@@ -20,8 +21,8 @@ namespace {
 /// Placeholders in order. Task: states, crossings, first signal, count of numbers, report, jumps of sources,
 /// limits of events and iterations. Then: step of the solver, update of time signals, report of the solver
 /// and its size, derivatives, calls before guards. At last: numbers that guards keep, stop condition, inner
-/// points of the task, updates before an instant, whether loops are solved, numbers of the error control, and
-/// whether values before an instant are read.
+/// points of the task, updates before an instant, guesses of loops, numbers of the error control, and whether
+/// values before an instant are read.
 constexpr char locate_form[] =
     "  const solve::EventTask task{{at::time, states, first_derivative, {0}, {1}, {2}, {3}, {4}, {5}, "
     "{6}, "
@@ -71,9 +72,32 @@ std::size_t control_count(const plan::Plan& plan) {
   return solve::ControlReport::count(plan.layout.state_count) - solve::ControlReport::next;
 }
 
-std::size_t scratch_size(const plan::Plan& plan) {
+/// Returns the count of the guesses and residuals of all loops.
+std::size_t guess_count(const plan::Plan& plan) {
+  std::size_t count = 0;
+  for (const plan::TearPlace& tear : plan::tear_places(plan)) count += 2 * tear.size;
+  return count;
+}
+
+std::size_t size_with_guesses(const plan::Plan& plan, std::size_t guesses) {
   return solve::EventTask::scratch_size(plan.layout.state_count, plan.crossing_count, numbers_at_events(plan),
-                                        control_count(plan));
+                                        control_count(plan), guesses);
+}
+std::size_t scratch_size(const plan::Plan& plan) {
+  return size_with_guesses(plan, guess_count(plan));
+}
+
+/// Returns the declaration of the torn signals of all loops; an empty text without loops.
+std::string tears_text(const plan::Plan& plan) {
+  std::string tears;
+  for (const auto& [offset, size, residual] : plan::tear_places(plan))
+    tears += fmt::format("{{{}, {}, {}}}, ", offset, size, residual);
+  return tears.empty() ? "" : fmt::format("  static constexpr solve::Tear all_tears[] = {{{}}};\n", tears);
+}
+
+std::string guesses_text(const plan::Plan& plan) {
+  const std::size_t tears = plan::tear_places(plan).size();
+  return tears == 0 ? "solve::LoopGuesses{}" : fmt::format("solve::LoopGuesses{{all_tears, {}}}", tears);
 }
 
 std::string follow_time_text(const plan::Plan& plan) {
@@ -113,19 +137,22 @@ std::string between_text(const plan::Plan& plan, const PlaceNames& names) {
   const diagram::Events& events = plan.diagram.events;
   const bool guards = !plan.event_befores.empty();
   const bool moves = layout.state_count > 0;
-  return fmt::format(
-      locate_form, layout.state_count, plan.crossing_count, layout.signals, numbers_at_events(plan),
-      layout.events, plan.jumps, events.max_per_step, events.rounds,
-      moves ? solver_text(plan, {false, false, in_place}) : "", follow_time_text(plan), layout.report,
-      solve::StepReport::count, moves ? fmt::format("    {};\n", in_place) : "",
-      guards ? "    event_befores(w, numbers, tick);\n" : "", guards ? keep_text(names, plan) : "",
-      plan.stop_crossing ? plan.diagram.stop_when->expression.cpp_condition(stop_variables(plan)) : "false",
-      events.looks,
-      watches(plan) ? fmt::format(watched_form, solver_text(plan, {false, false, in_place, {}, "stops"}))
-                    : "",
-      events.looks_always(),
-      plan.left_updates.empty() ? "" : "    before_instant(w, numbers, tick, w[at::time]);\n",
-      !plan.loops.empty(), layout.report + solve::ControlReport::next, control_count(plan));
+  return tears_text(plan) +
+         fmt::format(
+             locate_form, layout.state_count, plan.crossing_count, layout.signals, numbers_at_events(plan),
+             layout.events, plan.jumps, events.max_per_step, events.rounds,
+             moves ? solver_text(plan, {false, false, in_place}) : "", follow_time_text(plan), layout.report,
+             solve::StepReport::count, moves ? fmt::format("    {};\n", in_place) : "",
+             guards ? "    event_befores(w, numbers, tick);\n" : "", guards ? keep_text(names, plan) : "",
+             plan.stop_crossing ? plan.diagram.stop_when->expression.cpp_condition(stop_variables(plan))
+                                : "false",
+             events.looks,
+             watches(plan)
+                 ? fmt::format(watched_form, solver_text(plan, {false, false, in_place, {}, "stops"}))
+                 : "",
+             events.looks_always(),
+             plan.left_updates.empty() ? "" : "    before_instant(w, numbers, tick, w[at::time]);\n",
+             guesses_text(plan), layout.report + solve::ControlReport::next, control_count(plan));
 }
 
 }  // namespace
@@ -175,6 +202,9 @@ std::string before_step_text(const plan::Plan& plan) {
   if (!plan.edges.empty())
     text += fmt::format("  const bool has_edge = next_edge(w, numbers, tick) < solve::left_of({}, step);\n",
                         time_text(plan, "tick + 1"));
+  if (!plan.loops.empty())
+    text += fmt::format("{}  double guesses[{}];\n  {}.keep(w, guesses);\n", tears_text(plan),
+                        guess_count(plan), guesses_text(plan));
   return text + fmt::format("  for (int i = 0; i < {}; ++i) origin[i] = w[states + i];\n", states);
 }
 
@@ -191,10 +221,14 @@ std::string after_step_text(const plan::Plan& plan) {
              "  if (solve::is_eventful(before, after, {{w + {6}, {1}}}, {{step, {5}, true, {7}, {8}}})) "
              "[[unlikely]] {{\n    double scratch[{2}];\n"
              "    for (int i = 0; i < {3}; ++i) scratch[i] = origin[i];\n"
-             "    for (int i = 0; i < {1}; ++i) scratch[{4} + i] = before[i];\n"
+             "    for (int i = 0; i < {1}; ++i) scratch[{4} + i] = before[i];\n{9}"
              "    locate(w, numbers, tick, scratch);\n  }}\n",
              ahead, crossings, scratch_size(plan), states, solve::EventTask::before(states),
-             plan.edges.empty() ? "false" : "has_edge", past, events.looks > 0, events.looks_always());
+             plan.edges.empty() ? "false" : "has_edge", past, events.looks > 0, events.looks_always(),
+             plan.loops.empty()
+                 ? ""
+                 : fmt::format("    for (int i = 0; i < {}; ++i) scratch[{} + i] = guesses[i];\n",
+                               guess_count(plan), size_with_guesses(plan, 0)));
 }
 
 std::string end_of_step_text(const plan::Plan& plan) {

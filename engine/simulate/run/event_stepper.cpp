@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/model/plan/tear_places.hpp"
 #include "engine/simulate/run/whole_step.hpp"
 #include "engine/simulate/solve/error_control.hpp"
 #include "engine/simulate/solve/event_locator.hpp"
@@ -17,6 +18,13 @@ namespace {
 std::size_t control_count(const plan::Plan& plan) {
   if (!plan.diagram.error_control) return 0;
   return solve::ControlReport::count(plan.layout.state_count) - solve::ControlReport::next;
+}
+
+std::vector<solve::Tear> tears_of(const plan::Plan& plan) {
+  std::vector<solve::Tear> tears;
+  for (const auto& [offset, size, residual] : plan::tear_places(plan))
+    tears.push_back({offset, size, residual});
+  return tears;
 }
 
 }  // namespace
@@ -90,9 +98,12 @@ EventStepper::EventStepper(BoundBlocks& blocks, Participants& who, Stepper& step
       crossings_(2 * plan_.crossing_count),
       end_states_(plan_.layout.state_count),
       tick_states_(plan_.layout.state_count),
+      tears_(tears_of(plan_)),
+      loops_{tears_.data(), tears_.size()},
+      guesses_(loops_.count()),
       scratch_(solve::EventTask::scratch_size(plan_.layout.state_count, plan_.crossing_count,
                                               plan_.layout.diagnostics - plan_.layout.signals,
-                                              control_count(plan_))),
+                                              control_count(plan_), guesses_.size())),
       before_(crossings_.data()),
       after_(before_ + plan_.crossing_count),
       past_(&report(solve::EventReport::count), plan_.crossing_count),
@@ -192,6 +203,7 @@ void EventStepper::take_whole(std::int64_t tick) {
   if (plan_.updates_continuous && !crossing_starts_.empty()) crossing_starts_.run();
   const bool continues = look_at_start();
   const double edge = looks_.next_edge();
+  loops_.keep(values_, guesses_.data());
   stepper_.step(step);
   values_[plan::Layout::time] = step.end;
   stepper_.follow_time();
@@ -211,23 +223,26 @@ solve::EventTask EventStepper::task() {
   stepper_.copy_start(scratch);
   std::copy_n(before_, plan_.crossing_count, scratch + solve::EventTask::before(layout.state_count));
   const diagram::Events& events = plan_.diagram.events;
-  return {plan::Layout::time,
-          layout.states,
-          layout.derivatives,
-          layout.state_count,
-          plan_.crossing_count,
-          layout.signals,
-          layout.diagnostics - layout.signals,
-          layout.events,
-          plan_.jumps,
-          events.max_per_step,
-          events.rounds,
-          events.looks,
-          events.looks_always(),
-          !plan_.loops.empty(),
-          layout.report + solve::ControlReport::next,
-          control_count(plan_),
-          scratch};
+  const std::size_t numbers = layout.diagnostics - layout.signals, control = control_count(plan_);
+  const solve::EventTask made{plan::Layout::time,
+                              layout.states,
+                              layout.derivatives,
+                              layout.state_count,
+                              plan_.crossing_count,
+                              layout.signals,
+                              numbers,
+                              layout.events,
+                              plan_.jumps,
+                              events.max_per_step,
+                              events.rounds,
+                              events.looks,
+                              events.looks_always(),
+                              loops_,
+                              layout.report + solve::ControlReport::next,
+                              control,
+                              scratch};
+  std::ranges::copy(guesses_, scratch + made.guesses());
+  return made;
 }
 
 void EventStepper::locate(std::int64_t tick) {

@@ -75,7 +75,10 @@ class EventStepper {
   std::vector<double> crossings_;                 ///< numbers of the crossing functions, twice
   double *before_, *after_;                       ///< those at the start and at the end of a step
   std::vector<double> end_states_, tick_states_;  ///< at the end of the last step, before updates of a tick
-  std::vector<double> scratch_;                   ///< of EventTask
+  std::vector<solve::Tear> tears_;                ///< of all loops
+  const solve::LoopGuesses loops_;
+  std::vector<double> guesses_;  ///< of the loops at the start of the step
+  std::vector<double> scratch_;  ///< of EventTask
   const solve::CrossingPast past_;
   const bool looks_always_;   ///< True if each step is examined.
   const bool states_change_;  ///< True if states change outside of the solver.

@@ -57,7 +57,9 @@ class EventLocator {
         ends_(kept_ + task.numbers),
         nearest_(ends_ + task.crossing_count),
         looks_(nearest_ + task.crossing_count),
-        control_(looks_ + task.crossing_count) {}
+        control_(looks_ + task.crossing_count),
+        start_guesses_(task.scratch + task.guesses()),
+        end_guesses_(start_guesses_ + task.loops.count()) {}
 
   /// Integrates from `start` to `end` over `length`, event by event.
   void advance(double start, double end, double length, Reach reach = Reach::tick) {
@@ -65,6 +67,7 @@ class EventLocator {
     reach_ = reach;
     ever_faster_.begin(task_.crossing_count);
     std::copy_n(x_, task_.state_count, values_ + task_.states);
+    task_.loops.restore(start_guesses_, values_);
     values_[task_.time] = start;
     run_.begin();
     keep();
@@ -114,7 +117,7 @@ class EventLocator {
   void look_beyond(double end) {
     const double little = after_tick * length_;
     if (run_.failed() || !almost_crosses(start_, high_, task_.crossing_count) || end + little == end) return;
-    std::copy_n(values_ + task_.states, task_.state_count, end_);
+    keep_end();
     std::copy_n(values_ + task_.control, task_.control_count, control_);
     std::copy_n(high_, task_.crossing_count, start_);
     values_[task_.time] = task_.jumps ? left_of(end, length_) : end;
@@ -125,7 +128,7 @@ class EventLocator {
     if (!run_.failed() && sign_changes(start_, high_, task_.crossing_count))
       locate(end, end + little);
     else
-      std::copy_n(end_, task_.state_count, values_ + task_.states);
+      restore_end();
     run_.forget_fault();
     std::copy_n(control_, task_.control_count, values_ + task_.control);
     arrive(end, length_, high_);
@@ -135,7 +138,7 @@ class EventLocator {
   /// parabola, and confirms a sign change by a step of the solver. A number that turns back between two looks
   /// is followed to its turn.
   bool crosses_inside(double from, double& at) {
-    std::copy_n(values_ + task_.states, task_.state_count, end_);
+    keep_end();
     const bool failed = run_.failed();
     const double length = at - from;
     begin_looks();
@@ -149,9 +152,19 @@ class EventLocator {
     }
     if (crosses_at_turn(from, length, at)) return true;
     if (!failed) run_.forget_fault();
-    std::copy_n(end_, task_.state_count, values_ + task_.states);
+    restore_end();
     arrive(at, length_of_, high_);
     return false;
+  }
+
+  /// Keeps the states at the end of the interval, with the guesses of loops, from a search.
+  void keep_end() {
+    std::copy_n(values_ + task_.states, task_.state_count, end_);
+    task_.loops.keep(values_, end_guesses_);
+  }
+  void restore_end() {
+    std::copy_n(end_, task_.state_count, values_ + task_.states);
+    task_.loops.restore(end_guesses_, values_);
   }
 
   /// The first and the last look are next to the ends, where they show numbers that turn before the next one.
@@ -272,7 +285,7 @@ class EventLocator {
   /// its crossing, since it is solved again to its tolerance. Each repetition of the latter is four times as
   /// long. Returns false if the run ends there.
   bool turn_back(double& at, double end) {
-    const bool beyond = crossed_on(high_), back = task_.loops && crossed_on(low_);
+    const bool beyond = crossed_on(high_), back = !task_.loops.empty() && crossed_on(low_);
     const double little =
         std::min(back ? std::ldexp(1e-9 * length_, 2 * turns_) : 1e-9 * length_, 0.5 * (end - at));
     const bool may = (beyond || back) && at + little != at;
@@ -435,6 +448,7 @@ class EventLocator {
   double* ends_;                           ///< Crossing functions at the end of the interval.
   double *nearest_, *looks_;               ///< Numbers nearest to 0, and their looks.
   double* control_;                        ///< Numbers of the error control before a search.
+  double *start_guesses_, *end_guesses_;   ///< Guesses of loops at the start and at the end of the interval.
   double length_ = 0.0, length_of_ = 0.0;  ///< length of the step, and of the interval up to the next event
   double edge_ = 0.0, tick_ = 0.0;         ///< next edge of a source, and the tick at the end of the step
   Reach reach_ = Reach::tick;

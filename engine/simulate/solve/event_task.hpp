@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "engine/simulate/solve/loop_guesses.hpp"
+
 namespace stepwire::solve {
 
 /// State of event location, as indices into numbers of the workspace.
@@ -20,7 +22,8 @@ struct EventReport {
 };
 
 /// Step that is split at events. Offsets are places in the workspace. The scratch memory begins with the
-/// states at the start of the step; the crossing functions there are at `before`.
+/// states at the start of the step; the crossing functions there are at `before`, the guesses of loops at
+/// `guesses`.
 struct EventTask {
   std::size_t time, states, derivatives, state_count;
   std::size_t crossing_count;
@@ -31,14 +34,15 @@ struct EventTask {
   std::int64_t rounds;         ///< Limit of iterations at an instant.
   std::int64_t looks;          ///< Inner points that are checked for double crossings.
   bool looks_always;           ///< True if they are always checked.
-  bool loops;                  ///< True if algebraic loops are solved, so crossing functions have noise.
+  LoopGuesses loops;           ///< Of the solved loops; their tolerance is noise of crossing functions.
   std::size_t control, control_count;  ///< Range of the numbers of a solver's error control.
   double* scratch;                     ///< Memory for scratch_size() numbers.
 
   static constexpr std::size_t scratch_size(std::size_t states, std::size_t crossings, std::size_t numbers,
-                                            std::size_t control) {
-    return 3 * states + 13 * crossings + numbers + control;  // layout of EventLocator
+                                            std::size_t control, std::size_t guesses) {
+    return 3 * states + 13 * crossings + numbers + control + 2 * guesses;  // layout of EventLocator
   }
+  std::size_t guesses() const { return scratch_size(state_count, crossing_count, numbers, control_count, 0); }
   static constexpr std::size_t before(std::size_t states) { return 2 * states; }
 };
 

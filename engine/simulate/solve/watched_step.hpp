@@ -75,6 +75,7 @@ class WatchedStep {
     open_ = at;
     edge_ = run_.edge();
     std::copy_n(values_ + task_.states, task_.state_count, task_.scratch);
+    task_.loops.keep(values_, task_.scratch + task_.guesses());
   }
 
   /// True if the next edge is at this time but for rounding. No event is handled at the end of an interval,

@@ -41,7 +41,7 @@ const HeldBlock held_blocks[] = {
 
 /// Signals that are true before T.
 constexpr const char* triggers[] = {
-    "  when: {{block: Step, time: {} s, initial: 1, final: 0}}\n",
+    "  when: {{block: Step, time: {} s, before: 1, after: 0}}\n",
     "  t: {{block: Clock}}\n  when: {{block: Compare, u: t, operator: '<', to: {} s}}\n",
 };
 

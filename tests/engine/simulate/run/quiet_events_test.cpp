@@ -84,7 +84,7 @@ Rows rows_of(const plan::Plan& plan, const plan::CompiledPlan* code = nullptr) {
 }  // namespace
 
 TEST_CASE("where nothing crosses, the bits are those of a run without events, with every solver") {
-  for (const std::string& text : {oscillator, sampled, guarded})
+  for (const std::string& text : {oscillator, sampled, loop, guarded})
     for (const char* solver : {"euler", "rk4", "dormand_prince", "rosenbrock", "sdirk"}) {
       const std::string head = std::string("solver: ") + solver + "\n" + text;
       INFO(head);
@@ -92,19 +92,6 @@ TEST_CASE("where nothing crosses, the bits are those of a run without events, wi
       REQUIRE(located.crossing_count > 0);
       CHECK(rows_of(located) == rows_of(plan_text(head)));
     }
-}
-
-// The first step is searched, since no step before it shows how fast its numbers move. The search solves the
-// loop elsewhere, and the solution at its end begins there.
-TEST_CASE("where nothing crosses, a solved loop has the numbers of a run without events up to rounding") {
-  for (const char* solver : {"euler", "rk4", "dormand_prince", "rosenbrock", "sdirk"}) {
-    const std::string head = std::string("solver: ") + solver + "\n" + loop;
-    INFO(head);
-    const Rows located = rows_of(plan_text("events: locate\n" + head)), whole = rows_of(plan_text(head));
-    for (std::size_t i = 0; i < whole.size(); ++i)
-      for (std::size_t k = 0; k < whole[i].size(); ++k)
-        REQUIRE(located[i][k] == Approx(whole[i][k]).epsilon(1e-14).margin(0.0));
-  }
 }
 
 TEST_CASE("compiled code has the same bits where nothing crosses") {
