@@ -175,14 +175,18 @@ std::string update_text(const plan::Plan& plan) {
       "  double tick_states[{0}];\n  for (int i = 0; i < {0}; ++i) tick_states[i] = w[states + i];\n"
       "  update(w, numbers, tick);\n"
       "  if (solve::have_changed(w + states, tick_states, {0})) [[unlikely]]\n"
-      "    if (!settle_tick(w, numbers, tick)) {{\n{1}      return;\n    }}\n",
-      plan.layout.state_count, end_of_left_text(plan));
+      "    if (!settle_tick(w, numbers, tick)) return;\n",
+      plan.layout.state_count);
 }
 
 std::string end_of_left_text(const plan::Plan& plan) {
-  return plan.left_updates.empty()
-             ? ""
-             : fmt::format("  before_instant(w, numbers, tick, {});\n", time_text(plan, "tick + 1"));
+  if (plan.left_updates.empty()) return "";
+  const std::size_t report = plan.layout.events;
+  const std::string goes_on = plan.splits_steps() ? fmt::format("if (w[{}] == 0.0 && w[{}] == 0.0) ",
+                                                                report + solve::EventReport::end,
+                                                                report + solve::EventReport::stopped)
+                                                  : "";
+  return fmt::format("  {}before_instant(w, numbers, tick, {});\n", goes_on, time_text(plan, "tick + 1"));
 }
 
 bool watches(const plan::Plan& plan) {

@@ -217,32 +217,35 @@ void EventStepper::take_whole(std::int64_t tick) {
 }
 
 solve::EventTask EventStepper::task() {
-  const plan::Layout& layout = plan_.layout;
   double* scratch = scratch_.data();
-  std::copy_n(values_ + layout.states, layout.state_count, scratch);
+  const solve::EventTask made = task_in(scratch);
+  std::copy_n(values_ + made.states, made.state_count, scratch);
   stepper_.copy_start(scratch);
-  std::copy_n(before_, plan_.crossing_count, scratch + solve::EventTask::before(layout.state_count));
-  const diagram::Events& events = plan_.diagram.events;
-  const std::size_t numbers = layout.diagnostics - layout.signals, control = control_count(plan_);
-  const solve::EventTask made{plan::Layout::time,
-                              layout.states,
-                              layout.derivatives,
-                              layout.state_count,
-                              plan_.crossing_count,
-                              layout.signals,
-                              numbers,
-                              layout.events,
-                              plan_.jumps,
-                              events.max_per_step,
-                              events.rounds,
-                              events.looks,
-                              events.looks_always(),
-                              loops_,
-                              layout.report + solve::ControlReport::next,
-                              control,
-                              scratch};
+  std::copy_n(before_, made.crossing_count, scratch + solve::EventTask::before(made.state_count));
   std::ranges::copy(guesses_, scratch + made.guesses());
   return made;
+}
+
+solve::EventTask EventStepper::task_in(double* scratch) const {
+  const plan::Layout& layout = plan_.layout;
+  const diagram::Events& events = plan_.diagram.events;
+  return {plan::Layout::time,
+          layout.states,
+          layout.derivatives,
+          layout.state_count,
+          plan_.crossing_count,
+          layout.signals,
+          layout.diagnostics - layout.signals,
+          layout.events,
+          plan_.jumps,
+          events.max_per_step,
+          events.rounds,
+          events.looks,
+          events.looks_always(),
+          loops_,
+          layout.report + solve::ControlReport::next,
+          control_count(plan_),
+          scratch};
 }
 
 void EventStepper::locate(std::int64_t tick) {

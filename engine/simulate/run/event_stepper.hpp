@@ -42,6 +42,8 @@ class EventStepper {
   void forget_end() { knows_end_ = false; }
   /// True after a step with too many events, or with an event whose iteration does not converge.
   bool failed() const;
+  /// True after a step with an event that has ended the run.
+  bool has_ended() const { return failed() || *stopped() != 0.0; }
   EventCount count() const;
 
  private:
@@ -63,6 +65,7 @@ class EventStepper {
   void locate(std::int64_t tick);
   /// Returns the task of the step, with the start of the step in its scratch memory.
   solve::EventTask task();
+  solve::EventTask task_in(double* scratch) const;
 
   const plan::Plan& plan_;
   double* const values_;

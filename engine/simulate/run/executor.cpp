@@ -198,7 +198,7 @@ void Executor::take_step() {
   const double next = plan_.time_of(workspace_.tick + 1);
   if (const double end = health_.end(); end < next) return take_last_step(end);
   events_ ? events_->step(workspace_.tick) : stepper_.step(whole_step(plan_, workspace_.tick));
-  left_.update(next);
+  if (!events_ || !events_->has_ended()) left_.update(next);
 }
 
 void Executor::take_last_step(double end) {

@@ -226,4 +226,19 @@ TEST_CASE("the last tick of a run is recorded where the period of a record skips
   CHECK(column(met.recordings[0].table, "t") == std::vector<double>{0, 4, 8});
 }
 
+TEST_CASE("the last row has the time of the event that ends the run, beside a delay too") {
+  const table::Table run = run_text(R"(step: 0.1 s
+stop: 1 s
+solver: rk4
+events: locate
+stop_when: x > 0.55
+blocks:
+  x: {block: Integrator, u: 1}
+  d: {block: TransportDelay, u: x, delay: 0.2 s}
+record: [x, d]
+)");
+  CHECK(column(run, "time").back() == Approx(0.55).epsilon(1e-9));
+  CHECK(column(run, "d").back() == Approx(0.35).epsilon(1e-9));
+}
+
 }  // namespace stepwire::run
