@@ -1,14 +1,24 @@
 #pragma once
 
+#include <cstdint>
+
 #include "engine/model/signal/lane.hpp"
 
 // Building blocks of the loops in generated code that steps a lane batch.
 
 namespace stepwire {
 
+/// Numbers that follow from the time alone, for a later time in each lane.
+struct TimesAhead {
+  double* first;
+  std::int64_t tick;  ///< the first tick whose times are there
+  int next;           ///< lane of the next time
+};
+
 /// Numbers of all lanes. A number common to all lanes is stored in lane 0.
 struct Lanes {
   double* first;
+  TimesAhead* ahead = nullptr;
   Lane lane(Index l) const { return {first + l}; }
   Lanes from(Index n) const { return {first + n * lanes}; }
   double& operator[](Index n) const { return first[n * lanes]; }

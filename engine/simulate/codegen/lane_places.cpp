@@ -70,13 +70,14 @@ class Follower {
   bool changed_ = true;
 };
 
-/// Placeholders: checked numbers, condition of `stop_when`, rows, condition after a step.
+/// Placeholders: checked numbers, condition of `stop_when`, rows, condition after a step, workspace, start of
+/// a step.
 constexpr char form[] =
     "/// Lanes in which a number is not finite.\n"
     "inline unsigned unfinite(Lanes w) {{\n  LaneVector sum{{}};\n{0}"
     "  return lanes_where([&](unsigned l) {{ return !(sum[l] == 0.0); }});\n}}\n\n"
     "[[gnu::flatten]] inline void run(plan::LaneTask& task) {{\n"
-    "  const Lanes w{{task.values}};\n  const LaneNumbers numbers{{task.numbers}};\n"
+    "{4}  const LaneNumbers numbers{{task.numbers}};\n"
     "  for (; task.tick < task.end && task.active != 0; ++task.tick) {{\n"
     "    const std::int64_t tick = task.tick;\n"
     "    evaluate(w, numbers, tick);\n"
@@ -85,7 +86,7 @@ constexpr char form[] =
     "{1}"
     "    if (tick == task.stop && task.active != 0) task.leave(task, task.active, plan::LaneTask::last);\n"
     "    if (task.active == 0) return;\n"
-    "{2}"
+    "{2}{5}"
     "    advance(w, numbers, tick);\n"
     "{3}"
     "  }}\n}}\n\n";
@@ -103,9 +104,9 @@ class StepsText {
  public:
   StepsText(const plan::Plan& plan, const LanePlaces& lanes) : plan_(plan), lanes_(lanes) {}
 
-  std::string text() const {
+  std::string text(const std::string& workspace, const std::string& begin) const {
     return fmt::format(form, look_text(), leave_text(stop_condition(), "last"), rows_text(),
-                       leave_text(ending_condition(), "advanced"));
+                       leave_text(ending_condition(), "advanced"), workspace, begin);
   }
 
  private:
@@ -188,8 +189,9 @@ std::string why_not_in_lanes(const plan::Plan& plan) {
   return "";
 }
 
-std::string lane_steps_text(const plan::Plan& plan, const LanePlaces& lanes) {
-  return StepsText(plan, lanes).text();
+std::string lane_steps_text(const plan::Plan& plan, const LanePlaces& lanes, const std::string& workspace,
+                            const std::string& begin) {
+  return StepsText(plan, lanes).text(workspace, begin);
 }
 
 }  // namespace stepwire::codegen

@@ -35,7 +35,9 @@ inline std::string lane_text(const LanePlaces& lanes, bool differs) {
 }
 
 /// Returns the function that steps several runs, which uses evaluate() and advance() of the program. It
-/// checks for non-finite numbers and ends of runs, and writes the recorded rows.
-std::string lane_steps_text(const plan::Plan& plan, const LanePlaces& lanes);
+/// checks for non-finite numbers and ends of runs, and writes the recorded rows. `workspace` declares `w`
+/// from the task; `begin` precedes each step.
+std::string lane_steps_text(const plan::Plan& plan, const LanePlaces& lanes, const std::string& workspace,
+                            const std::string& begin);
 
 }  // namespace stepwire::codegen

@@ -16,6 +16,7 @@
 #include "engine/simulate/codegen/runs.hpp"
 #include "engine/simulate/codegen/solver_text.hpp"
 #include "engine/simulate/codegen/statements.hpp"
+#include "engine/simulate/codegen/times_ahead.hpp"
 #include "engine/simulate/codegen/workspace_text.hpp"
 #include "engine/simulate/solve/event_locator.hpp"
 #include "engine/simulate/solve/solver.hpp"
@@ -170,6 +171,7 @@ class Maker {
         const std::map<std::size_t, std::size_t>& places, LanePlaces lanes = {})
       : plan_(plan),
         lanes_(std::move(lanes)),
+        ahead_(plan, lanes_),
         names_(plan),
         start_(plan, names_, places),
         literals_(in_lanes() ? "numbers.lane(l)" : "numbers"),
@@ -238,7 +240,7 @@ class Maker {
 
   void add_lanes() {
     add_steps();
-    functions_.add_text(lane_steps_text(plan_, lanes_));
+    functions_.add_text(lane_steps_text(plan_, lanes_, ahead_.memory_text(), ahead_.tick_text()));
   }
 
   GeneratedProgram program() const;
@@ -253,12 +255,19 @@ class Maker {
     const std::string parameters = workspace_parameters(lanes_);
     functions_.add("timed", parameters, "w, numbers",
                    calls_of(plan_, statements_, plan_.timed, Phase::outputs, at_tick()));
+    if (ahead_.possible()) add_times_ahead();
     functions_.add_text(
         fmt::format("/// Computes what follows from the time alone, if it has changed.\n"
                     "{} void follow_time({}) {{\n"
                     "  if (w[at::timed] == w[at::time]) return;\n"
-                    "  w[at::timed] = w[at::time];\n  timed(w, numbers);\n}}\n\n",
-                    functions_.attribute(), parameters));
+                    "  w[at::timed] = w[at::time];\n{}  timed(w, numbers);\n}}\n\n",
+                    functions_.attribute(), parameters, ahead_.possible() ? ahead_.take_text() : ""));
+  }
+
+  void add_times_ahead() {
+    const std::vector<Code> code =
+        calls_of(plan_, statements_, plan_.timed, Phase::outputs, ahead_.places(at_tick()));
+    functions_.add_text(ahead_.fill_text(functions_.attribute(), with_conditions(code, 0, code.size())));
   }
 
   /// Adds the functions for a guard that switches off and on.
@@ -422,6 +431,7 @@ class Maker {
 
   const plan::Plan& plan_;
   LanePlaces lanes_;
+  TimesAhead ahead_;
   PlaceNames names_;
   StartText start_;
   Literals literals_;

@@ -71,9 +71,7 @@ class ExplicitText {
   }
 
   std::string evaluation_text(double fraction) const {
-    const std::string time =
-        fraction == 1.0 ? "end" : fmt::format("now + {} * length", number_text(fraction));
-    std::string text = fmt::format("  w[at::time] = {};\n", time);
+    std::string text = fmt::format("  w[at::time] = {};\n", stage_time_text(fraction));
     if (form_.small) text += "  s[at::time] = w[at::time];\n";
     if (timed_) text += "  follow_time(w, numbers);\n";
     return text + "  " + form_.slopes + ";\n";
@@ -149,6 +147,10 @@ std::string called_text(const solve::CalledMethod& method, const plan::Plan& pla
 }
 
 }  // namespace
+
+std::string stage_time_text(double fraction) {
+  return fraction == 1.0 ? "end" : fmt::format("now + {} * length", number_text(fraction));
+}
 
 std::string solver_text(const plan::Plan& plan, const StepForm& form) {
   const std::string& name = plan.diagram.solver;

@@ -18,6 +18,8 @@ struct StepForm {
   std::string stops{};  ///< Function that may end the integration after one of the solver's own steps; an
                         ///< empty text for none.
 };
+/// Returns the time of a stage at a fraction of the step: "now + 0.5 * length", "end".
+std::string stage_time_text(double fraction);
 std::string solver_text(const plan::Plan& plan, const StepForm& form);
 
 }  // namespace stepwire::codegen

@@ -92,8 +92,9 @@ Statements::Pieces Statements::set_up(std::size_t block, const Places& places, b
   return pieces;
 }
 
-std::string Statements::in_lane(const std::string& numbers, std::size_t offset) const {
-  return lanes_.lanes == 1 ? numbers : numbers + lane_text(lanes_, lanes_.places[offset]);
+std::string Statements::in_lane(const std::string& numbers, std::size_t offset, const Places& places) const {
+  const LanePlaces& of = lanes(places);
+  return of.lanes == 1 ? numbers : numbers + lane_text(of, of.places[offset]);
 }
 
 Statements::Piece Statements::place(const std::string& before, std::size_t offset, const std::string& after,
@@ -101,10 +102,10 @@ Statements::Piece Statements::place(const std::string& before, std::size_t offse
   const bool fresh = offset < places.is_fresh.size() && places.is_fresh[offset];
   const auto at = static_cast<std::int64_t>(offset);
   if (fresh && offset >= plan_.layout.derivatives)
-    return {fmt::format("{}{} + (", before, in_lane(places.dot, offset)), names_.at(offset),
+    return {fmt::format("{}{} + (", before, in_lane(places.dot, offset, places)), names_.at(offset),
             " - first_derivative)" + after, at};
-  return {fmt::format("{}{} + ", before, in_lane(fresh ? places.fresh : "w", offset)), names_.at(offset),
-          after, at};
+  return {fmt::format("{}{} + ", before, in_lane(fresh ? places.fresh : "w", offset, places)),
+          names_.at(offset), after, at};
 }
 
 void Statements::bind_inputs(std::size_t block, const Places& places, Pieces& pieces) const {
@@ -147,7 +148,7 @@ void Statements::bind_states(std::size_t block, const Places& places, Pieces& pi
     pieces.push_back(place(fmt::format("    b.{}.bind(", member), slot.offset, end, places));
     if (type.states[s].continuous)
       pieces.push_back(
-          {fmt::format("    b.{}.derivative.bind({} + (", member, in_lane(places.dot, slot.offset)),
+          {fmt::format("    b.{}.derivative.bind({} + (", member, in_lane(places.dot, slot.offset, places)),
            names_.at(slot.offset), " - states)" + end, static_cast<std::int64_t>(slot.offset)});
   }
 }
@@ -166,14 +167,14 @@ void Statements::bind_rest(std::size_t block, const Places& places, Pieces& piec
 }
 
 std::string Statements::call_text(std::size_t block, Phase phase, const std::string& fixed,
-                                  const std::string& rest) const {
+                                  const std::string& rest, const Places& places) const {
   std::string call = phase == Phase::next_edge ? "    edge = std::min(edge, b.next_edge());\n"
                                                : fmt::format("    b.{}({});\n", function_of(phase),
                                                              phase == Phase::crossings ? "zero" : "");
   if (is_of_others(plan_.diagram.blocks[block].type().header))
     call = "    const FloatingPointState kept;\n" + call;
   const std::string made = fmt::format("    {} b;\n", struct_of(plan_, block)) + fixed;
-  if (lanes_.lanes == 1 || !lanes_.blocks[block]) return made + rest + call;
+  if (lanes_.lanes == 1 || !lanes(places).blocks[block]) return made + rest + call;
   return made +
          fmt::format("    each_lane([&, &made = b]([[maybe_unused]] const int l) {{\n    {} b = made;\n",
                      struct_of(plan_, block)) +
@@ -184,8 +185,8 @@ std::string Statements::call(std::size_t block, Phase phase, const Places& place
   std::string fixed, rest;
   for (const Piece& piece : set_up(block, places, lanes_.lanes > 1))
     (piece.fixed ? fixed : rest) += piece.before + piece.hole + piece.after;
-  return fmt::format("  {{  // {}\n", comment_of(plan_, block)) + call_text(block, phase, fixed, rest) +
-         "  }\n";
+  return fmt::format("  {{  // {}\n", comment_of(plan_, block)) +
+         call_text(block, phase, fixed, rest, places) + "  }\n";
 }
 
 }  // namespace stepwire::codegen

@@ -18,7 +18,8 @@ struct Places {
   std::string fresh = "w";
   std::vector<bool> is_fresh;  ///< by offset; an empty list if no number is fresh
   std::string dot = "w + first_derivative";
-  std::size_t min_in_loop = 6;  ///< Smallest number of calls that is written as a loop.
+  std::size_t min_in_loop = 6;        ///< Smallest number of calls that is written as a loop.
+  const LanePlaces* lanes = nullptr;  ///< Others than those of the program; nullptr for none.
 };
 
 /// Function of a block that a plan calls.
@@ -59,12 +60,13 @@ class Statements {
   Pieces set_up(std::size_t block, const Places& places, bool complete) const;
   /// Returns the declaration of a block, its set-up (fixed members, and the rest) and its call. In lanes the
   /// call is a loop over them.
-  std::string call_text(std::size_t block, Phase phase, const std::string& fixed,
-                        const std::string& rest) const;
+  std::string call_text(std::size_t block, Phase phase, const std::string& fixed, const std::string& rest,
+                        const Places& places = {}) const;
 
  private:
   /// Returns "w", or its lane that has a number.
-  std::string in_lane(const std::string& numbers, std::size_t offset) const;
+  std::string in_lane(const std::string& numbers, std::size_t offset, const Places& places) const;
+  const LanePlaces& lanes(const Places& places) const { return places.lanes ? *places.lanes : lanes_; }
   Piece place(const std::string& before, std::size_t offset, const std::string& after,
               const Places& places) const;
   void bind_inputs(std::size_t block, const Places& places, Pieces& pieces) const;
