@@ -9,6 +9,7 @@
 
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/math/elementary.hpp"
+#include "engine/base/subprocess/process.hpp"
 
 namespace stepwire::devices {
 
@@ -30,8 +31,13 @@ std::vector<std::string> names_in(const All& all) {
 
 /// Channel of a device, with its place among those of all devices.
 struct Place {
-  const stepwire_channel* channel = nullptr;
+  const guard::SurveyedChannel* channel = nullptr;
   std::size_t device = 0, index = 0;
+};
+
+/// Places of the first channels of a device among those of all devices.
+struct First {
+  std::size_t input = 0, output = 0;
 };
 
 /// Returns the SI unit of a number, "" without one.
@@ -49,11 +55,11 @@ struct Line {
 /// Connects the ports one by one, and collects all faults.
 class Wirer {
  public:
-  Wirer(const IoRequest& request, const Ports& ports, guard::Bank& bank, double period)
-      : request_(request), bank_(bank), period_(period), in_(ports.inputs), out_(ports.outputs) {}
+  Wirer(const IoRequest& request, const Ports& ports, const KnownDevices& devices, double period)
+      : request_(request), devices_(devices), period_(period), in_(ports.inputs), out_(ports.outputs) {}
 
   Wiring wiring() {
-    all_.devices = device_settings(request_);
+    all_.devices = devices_.settings;
     prepare_limits();
     for (const InputRequest& one : request_.inputs) add_input(one);
     for (const OutputRequest& one : request_.outputs) add_output(one);
@@ -78,13 +84,15 @@ class Wirer {
     all_.limits.late = nanoseconds(request_.late.value_or(1.5 * period_));
     all_.limits.ramp = nanoseconds(request_.ramp);
     all_.wait = nanoseconds(request_.wait);
-    all_.uses.assign(bank_.devices(), guard::InputUse::unused);
-    for (std::size_t i = 0; i < bank_.devices(); ++i) {
+    all_.uses.assign(devices_.answers.size(), guard::InputUse::unused);
+    for (std::size_t i = 0; i < devices_.answers.size(); ++i) {
+      const guard::SurveyedDevice& device = devices_.answers[i];
+      first_.push_back({all_.limits.inputs.size(), all_.limits.outputs.size()});
       all_.limits.devices.push_back(request_.devices[i].name);
-      all_.devices[i].outputs = bank_.device(i).outputs().size();
-      for (const stepwire_channel& one : bank_.device(i).inputs())
+      all_.devices[i].outputs = device.outputs.size();
+      for (const guard::SurveyedChannel& one : device.inputs)
         all_.limits.inputs.push_back({.name = channel_name(i, one), .unit = one.unit});
-      for (const stepwire_channel& one : bank_.device(i).outputs()) {
+      for (const guard::SurveyedChannel& one : device.outputs) {
         const double rest = std::clamp(0.0, one.least, one.most);
         all_.limits.outputs.push_back({channel_name(i, one), rest, rest, rest, guard::no_limit, one.unit});
       }
@@ -92,7 +100,7 @@ class Wirer {
   }
   /// A device has the strictest use of its inputs.
   void use(std::size_t device, guard::InputUse how) { all_.uses[device] = std::max(all_.uses[device], how); }
-  std::string channel_name(std::size_t device, const stepwire_channel& channel) const {
+  std::string channel_name(std::size_t device, const guard::SurveyedChannel& channel) const {
     return request_.devices[device].name + "." + channel.name;
   }
 
@@ -111,8 +119,9 @@ class Wirer {
     const auto index = device_of(device, mark, subject);
     if (!index) return std::nullopt;
     const bool is_input = direction == STEPWIRE_INPUT;
-    const auto& table = is_input ? bank_.device(*index).inputs() : bank_.device(*index).outputs();
-    const std::size_t first = is_input ? bank_.first_input(*index) : bank_.first_output(*index);
+    const guard::SurveyedDevice& answers = devices_.answers[*index];
+    const auto& table = is_input ? answers.inputs : answers.outputs;
+    const std::size_t first = is_input ? first_[*index].input : first_[*index].output;
     for (std::size_t k = 0; k < table.size(); ++k)
       if (channel == table[k].name) return Place{&table[k], *index, first + k};
     fault(mark, subject,
@@ -132,7 +141,7 @@ class Wirer {
     return std::nullopt;
   }
 
-  std::optional<unit::Unit> unit_of(const std::string& own, const stepwire_channel& channel,
+  std::optional<unit::Unit> unit_of(const std::string& own, const guard::SurveyedChannel& channel,
                                     const yaml::Mark& mark, const std::string& subject) {
     const std::string text = own.empty() ? channel.unit : own;
     const auto parsed = unit::parse_unit(text);
@@ -262,7 +271,7 @@ class Wirer {
       fault(one.safe ? one.safe->mark : one.mark, subject, "has a safe value out of its limits");
     limits.safe = line.scale * safe + line.offset;
     limits.rate = rate * std::abs(line.scale);
-    const stepwire_channel& channel = *place.channel;
+    const guard::SurveyedChannel& channel = *place.channel;
     if (limits.least < channel.least || limits.most > channel.most)
       fault(one.limits->least.mark, subject + ".limits",
             yaml::fault_text("lead to {:.6g} to {:.6g} {}; the channel takes {:.6g} to {:.6g}", limits.least,
@@ -271,7 +280,7 @@ class Wirer {
   }
 
   /// Returns the threshold in the unit of the channel, which a bare number has.
-  double above_of(const DeadManRequest& one, const stepwire_channel& channel) {
+  double above_of(const DeadManRequest& one, const guard::SurveyedChannel& channel) {
     constexpr double half = 0.5;
     if (!one.above || !one.above->quantity.dimension) return one.above ? one.above->quantity.value : half;
     const auto unit = unit_of("", channel, one.mark, "dead_man");
@@ -321,7 +330,7 @@ class Wirer {
   void find_clock() {
     if (request_.clock.empty()) return;
     all_.clock = device_of(request_.clock, request_.clock_mark, "clock");
-    if (all_.clock && !bank_.device(*all_.clock).is_clock())
+    if (all_.clock && !devices_.answers[*all_.clock].is_clock)
       fault(request_.clock_mark, "clock",
             yaml::fault_text("the driver of '{}' has no clock; leave 'clock' out", request_.clock));
   }
@@ -349,62 +358,94 @@ class Wirer {
   }
 
   const IoRequest& request_;
-  guard::Bank& bank_;
+  const KnownDevices& devices_;
   double period_;
+  std::vector<First> first_;  ///< of each device
   std::vector<Port> in_, out_;
   std::set<std::size_t> taken_;
   yaml::Faults faults_;
   Wiring all_;
 };
 
-/// Loads the driver of a device and notes its file; nullptr after a fault.
-const stepwire_driver* known_driver(const IoRequest& request, const DeviceRequest& device, std::string& file,
-                                    yaml::Faults& faults) {
-  try {
-    file = driver::driver_file(device.driver);
-    return &driver::load_driver(file);
-  } catch (const io::EnvironmentError& error) {
-    faults.add({{request.file, device.mark}, "devices." + device.name, std::string(error.what()), {}});
-    return nullptr;
-  }
-}
-
 /// Checks the settings of a device against those that its driver knows.
-void check_settings(const IoRequest& request, const DeviceRequest& device, const stepwire_driver& driver,
-                    yaml::Faults& faults) {
+void check_settings(const IoRequest& request, const DeviceRequest& device,
+                    const guard::SurveyedDevice& driver, yaml::Faults& faults) {
+  const std::string subject = "devices." + device.name;
   std::vector<std::string> known;
-  for (const stepwire_known_setting* one = driver.settings; one->key; ++one) {
-    known.emplace_back(one->key);
+  for (const guard::KnownSetting& one : driver.settings) {
+    known.push_back(one.key);
     const bool is_given =
-        std::ranges::find(device.settings, one->key, &DeviceRequest::Setting::key) != device.settings.end();
-    if (!one->otherwise && !is_given)
+        std::ranges::find(device.settings, one.key, &DeviceRequest::Setting::key) != device.settings.end();
+    if (!one.otherwise && !is_given)
       faults.add({{request.file, device.mark},
-                  "devices." + device.name,
-                  fmt::format("the driver {} needs the setting '{}' ({})", driver.name, one->key, one->doc),
+                  subject,
+                  fmt::format("the driver {} needs the setting '{}' ({})", driver.driver, one.key, one.doc),
                   {}});
   }
   for (const DeviceRequest::Setting& one : device.settings)
     if (std::ranges::find(known, one.key) == known.end())
       faults.add({{request.file, one.mark},
-                  "devices." + device.name,
-                  yaml::unknown_key(one.key, known, fmt::format("the driver {}", driver.name)),
+                  subject,
+                  yaml::unknown_key(one.key, known, fmt::format("the driver {}", driver.driver)),
                   {}});
+}
+
+/// Returns the devices with the files of their drivers; a driver without a file is a fault.
+std::vector<guard::DeviceSettings> devices_with_files(const IoRequest& request, yaml::Faults& faults) {
+  std::vector<guard::DeviceSettings> all;
+  for (const DeviceRequest& device : request.devices) try {
+      guard::DeviceSettings& one =
+          all.emplace_back(guard::DeviceSettings{device.name, device.driver, {}, {}});
+      for (const DeviceRequest::Setting& setting : device.settings)
+        one.settings.emplace_back(setting.key, setting.value);
+      one.file = driver::driver_file(device.driver);
+    } catch (const io::EnvironmentError& error) {
+      faults.add({{request.file, device.mark}, "devices." + device.name, std::string(error.what()), {}});
+    }
+  return all;
+}
+
+/// Returns the answers of drivers. Throws ProcessStopped once `interrupt` is true.
+std::vector<guard::SurveyedDevice> answers_of(const std::vector<guard::DeviceSettings>& devices,
+                                              guard::SurveyDepth depth, std::int64_t limit,
+                                              const std::atomic<bool>* interrupt) {
+  auto answers = guard::survey(devices, depth, limit, interrupt);
+  if (!answers) throw subprocess::ProcessStopped("the survey of the drivers was interrupted");
+  return std::move(*answers);
 }
 
 }  // namespace
 
-std::vector<guard::DeviceSettings> device_settings(const IoRequest& request) {
-  std::vector<guard::DeviceSettings> all;
+std::vector<guard::DeviceSettings> device_settings(const IoRequest& request,
+                                                   const std::atomic<bool>* interrupt) {
   yaml::Faults faults;
-  for (const DeviceRequest& device : request.devices) {
-    guard::DeviceSettings& one = all.emplace_back(guard::DeviceSettings{device.name, device.driver, {}, {}});
-    for (const DeviceRequest::Setting& setting : device.settings)
-      one.settings.emplace_back(setting.key, setting.value);
-    if (const stepwire_driver* const driver = known_driver(request, device, one.file, faults))
-      check_settings(request, device, *driver, faults);
-  }
+  std::vector<guard::DeviceSettings> all = devices_with_files(request, faults), with_file;
+  std::vector<const DeviceRequest*> of;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!all[i].file.empty()) {
+      with_file.push_back(all[i]);
+      of.push_back(&request.devices[i]);
+    }
+  const auto answers = answers_of(with_file, guard::SurveyDepth::load, guard::longest_survey, interrupt);
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    if (answers[i].failure.empty() && !answers[i].driver.empty())
+      check_settings(request, *of[i], answers[i], faults);
+    else if (!answers[i].failure.empty())
+      faults.add({{request.file, of[i]->mark}, "devices." + of[i]->name, answers[i].failure, {}});
   faults.throw_if_any();
   return all;
+}
+
+KnownDevices known_devices(const IoRequest& request, const std::atomic<bool>* interrupt) {
+  KnownDevices known{device_settings(request, interrupt), {}};
+  known.answers = answers_of(known.settings, guard::SurveyDepth::open,
+                             guard::longest_survey + nanoseconds(request.wait), interrupt);
+  std::string failures;
+  for (std::size_t i = 0; i < known.answers.size(); ++i)
+    if (const std::string& failure = known.answers[i].failure; !failure.empty())
+      failures += (failures.empty() ? "" : "\n") + known.settings[i].name + ": " + failure;
+  if (!failures.empty()) throw io::EnvironmentError(failures);
+  return known;
 }
 
 Ports Ports::of(const plan::Plan& plan) {
@@ -424,8 +465,8 @@ Ports Ports::of(const IoRequest& request) {
   return ports;
 }
 
-Wiring wire(const IoRequest& request, const Ports& ports, guard::Bank& bank, double period) {
-  return Wirer(request, ports, bank, period).wiring();
+Wiring wire(const IoRequest& request, const Ports& ports, const KnownDevices& devices, double period) {
+  return Wirer(request, ports, devices, period).wiring();
 }
 
 }  // namespace stepwire::devices

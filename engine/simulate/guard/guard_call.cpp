@@ -8,6 +8,7 @@
 
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/messages/bytes.hpp"
+#include "engine/simulate/guard/device_bytes.hpp"
 
 namespace stepwire::guard {
 
@@ -15,14 +16,6 @@ namespace {
 
 using messages::all;
 using messages::list;
-
-template <class Stream>
-void devices_through(Stream& stream, std::vector<DeviceSettings>& devices) {
-  list(stream, devices, [&](DeviceSettings& one) {
-    all(stream, one.name, one.driver, one.file, one.outputs);
-    list(stream, one.settings, [&](auto& setting) { all(stream, setting.first, setting.second); });
-  });
-}
 
 template <class Stream>
 void limits_through(Stream& stream, WatchLimits& of) {

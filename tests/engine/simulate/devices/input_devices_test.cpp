@@ -319,9 +319,9 @@ TEST_CASE("a tablet without a resolution needs its width and height, and has no 
 
 TEST_CASE(
     "the button of a gamepad is a dead-man: outputs follow while it is down, and its release is final") {
-  Plugged plugged("fake_gamepad");
-  FakeInput& pad = add_pad(plugged);
+  const Plugged plugged("fake_gamepad");
   const Scratch folder;
+  const FakePadFile pad(folder.path("events"));
   const std::string record = folder.path("out.csv");
   const auto rig = folder.file("rig.yaml", R"(devices:
   pad: {driver: fake_gamepad}
@@ -344,7 +344,6 @@ record: [coil]
   const auto step = [&](int button) {
     pad.send(EV_KEY, BTN_TL, button);
     pad.send(EV_ABS, ABS_X, 32767);
-    pad.report();
     opened.device().read(&stick);
     opened.device().write(&current);
   };

@@ -259,14 +259,51 @@ TEST_CASE("a driver that fails is named with its function, or with the signal th
       return std::string(error.what());
     }
   };
-  CHECK_THAT(trouble("open", "true"), Contains("driver broken: open has failed without a reason"));
+  for (const std::string guard : {"true", "false"}) {
+    CHECK(trouble("open", guard) == "bad: driver broken: open has failed without a reason");
+    CHECK(trouble("open, how: crash", guard) ==
+          "bad: the driver broken was ended by signal 11 (Segmentation fault) in open or channels");
+    CHECK(trouble("channels, how: exit", guard) ==
+          "bad: the driver broken has ended its process with exit code 0 in open or channels");
+    CHECK(trouble("close, how: exit", guard) ==
+          "bad: the driver broken has ended its process with exit code 0 in close");
+  }
   for (const std::string guard : {"true", "false"})
     CHECK_THAT(trouble("start", guard), Contains("driver broken: start has failed without a reason"));
-  CHECK_THAT(trouble("crash", "true"),
+  CHECK_THAT(trouble("start, how: crash", "true"),
              Contains("the guard was ended by signal 11") && Contains("while it started bad"));
   for (const std::string guard : {"true", "false"})
     CHECK(trouble("safe", guard) == "the device bad does not answer");
   CHECK(trouble("write", "false") == "the device bad does not answer");
+}
+
+TEST_CASE(
+    "a driver that ends its process or does not return is found by a survey, which an interruption ends") {
+  ::setenv("STEPWIRE_DRIVERS", FAKE_DRIVERS, 1);
+  const std::string file = driver::driver_file("broken");
+  const auto failures = [&](const std::string& fails, const std::string& how, guard::SurveyDepth depth,
+                            const std::atomic<bool>* interrupt = nullptr) {
+    const std::vector<guard::DeviceSettings> devices{
+        {"good", "broken", file, {{"fails", ""}}}, {"bad", "broken", file, {{"fails", fails}, {"how", how}}}};
+    const auto answers = guard::survey(devices, depth, 300'000'000, interrupt);
+    return answers ? (*answers)[0].failure + (*answers)[1].failure : "interrupted";
+  };
+  using guard::SurveyDepth;
+  CHECK(failures("start", "crash", SurveyDepth::open).empty());
+  CHECK(failures("open", "crash", SurveyDepth::list).empty());
+  CHECK(
+      failures("open", "hang", SurveyDepth::open) ==
+      "the driver broken has not returned within 0.3 s in open or channels; a larger 'wait' of the rig lets "
+      "it take longer");
+  const std::atomic<bool> interrupt = true;
+  CHECK(failures("open", "hang", SurveyDepth::open, &interrupt) == "interrupted");
+  ::setenv("BROKEN_DRIVER", "load", 1);
+  CHECK(failures("", "error", SurveyDepth::load) ==
+        "the driver broken has ended its process with exit code 0 while it was loaded");
+  ::setenv("BROKEN_DRIVER", "list", 1);
+  CHECK(failures("", "error", SurveyDepth::list) ==
+        "the driver broken was ended by signal 11 (Segmentation fault) in list");
+  ::unsetenv("BROKEN_DRIVER");
 }
 
 TEST_CASE("a limit of energy takes a force times a speed, or times a place") {
