@@ -49,16 +49,33 @@ std::string bytes_of(GuardCall call) {
   return writer.take();
 }
 
-std::string set_safe(const GuardCall& call) noexcept {
+namespace {
+
+void set_safe(const DeviceSettings& one, std::int64_t period, const double* safe, const BeforeCall& before) {
+  const auto begin = [&](const char* function) {
+    if (before) before(one.name, function);
+  };
+  begin("open");
+  driver::OpenDevice device(driver::load_driver(one.file), one.settings);
+  begin("start");
+  device.start(period, safe);
+  begin("safe");
+  if (one.outputs > 0 && device.safe() == STEPWIRE_FAILED)
+    throw io::EnvironmentError("the device does not take its safe values");
+  begin("stop");
+  device.stop();
+  begin("close");
+}
+
+}  // namespace
+
+std::string set_safe(const GuardCall& call, const BeforeCall& before) noexcept {
   std::string failures;
   const Watch watch(call.limits);
   const double* safe = watch.safe();
   for (const DeviceSettings& one : call.devices) {
     try {
-      driver::OpenDevice device(driver::load_driver(one.file), one.settings);
-      device.start(call.limits.period, safe);
-      if (one.outputs > 0 && device.safe() == STEPWIRE_FAILED)
-        throw io::EnvironmentError("the device does not take its safe values");
+      set_safe(one, call.limits.period, safe, before);
     } catch (const std::exception& error) {
       failures += (failures.empty() ? "" : "; ") + one.name + ": " + error.what();
     }

@@ -99,6 +99,15 @@ TEST_CASE("a loop that is silent for two periods trips the watch, and one that i
   CHECK_THAT(fed.watch.text(), Contains("nothing for 20 ms; it may for 20 ms"));
 }
 
+TEST_CASE("a guard whose keeper has ended trips for good") {
+  Fed fed;
+  fed.step(0.4);
+  fed.watch.lost_keeper();
+  fed.step(0.4);
+  CHECK(fed.coil() == 0.25);
+  CHECK_THAT(fed.watch.text(), Contains("the process stepwire_keeper has ended or is stopped"));
+}
+
 TEST_CASE("a late command may have moved as far as its rate allows in the time that passed") {
   Fed fed;
   fed.step(0.25);
