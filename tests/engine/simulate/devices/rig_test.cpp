@@ -432,6 +432,27 @@ TEST_CASE("sensors with a latency show the first value until the next one has co
   CHECK(seen == std::vector{5.0, 5.0, 5.0, 6.0, 7.0});
 }
 
+TEST_CASE("the inputs of a rig have their defaults again from the age of its option on") {
+  const auto plan = plan_text(slide_yaml);
+  PlantCall call = shared_plant();
+  call.inhibit = 0.1;
+  HostedPlant plant(call, plan, 0.01);
+  driver::OpenDevice client = client_of(call);
+  const double safe = 0.0, command = 0.5;
+  client.start(10'000'000, &safe);
+  client.write(&command);
+  const auto pushed = [&] {
+    double push = 3.0;
+    plant.read(&push);
+    return push;
+  };
+  CHECK(pushed() == 0.5);
+  std::this_thread::sleep_for(std::chrono::milliseconds(110));
+  CHECK(pushed() == 3.0);
+  client.write(&command);
+  CHECK(pushed() == 0.5);
+}
+
 TEST_CASE("shared memory has one client at a time") {
   const auto plan = plan_text(slide_yaml);
   const PlantCall call = shared_plant();
