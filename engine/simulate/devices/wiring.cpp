@@ -17,9 +17,10 @@ namespace {
 
 using unit::Dimension;
 
+constexpr double least_scale = 1e-18;  // magnitude, SI
+
 std::int64_t nanoseconds(double seconds) {
-  constexpr double longest = 1e9;  // 32 years
-  return std::llround(std::min(seconds, longest) * 1e9);
+  return std::llround(seconds * 1e9);
 }
 
 template <class All>
@@ -45,6 +46,11 @@ std::string unit_name(const Dimension& dimension) {
   const std::string name = unit::si_name(dimension);
   if (name != "1") return name;
   return dimension.angle == 1.0 ? "rad" : "";
+}
+
+/// Returns the unit of a channel as it follows a number.
+std::string behind_number(const guard::SurveyedChannel& channel) {
+  return channel.unit.empty() ? "" : " " + channel.unit;
 }
 
 /// Affine map from a channel to a port, or back: to = scale * from + offset.
@@ -152,26 +158,38 @@ class Wirer {
   /// Returns a number in SI. A bare number other than 0 is refused where `wanted` has a unit.
   double si(const std::optional<PlacedNumber>& number, double otherwise,
             const std::optional<Dimension>& wanted, const std::string& subject) {
-    if (!number) return otherwise;
-    const Dimension given = number->quantity.dimension.value_or(Dimension{});
-    const bool is_zero = number->quantity.value == 0.0 && !number->quantity.dimension;
-    if (wanted && !is_zero && !(given == *wanted))
-      fault(number->mark, subject,
-            yaml::fault_text("has the unit {}; it must be in {}", unit::si_name(given),
-                             unit::si_name(*wanted)));
-    return number->quantity.value;
+    if (number) check_unit(*number, wanted, subject);
+    return number ? number->quantity.value : otherwise;
+  }
+  /// Adds a fault for a number in another unit, and returns false.
+  bool check_unit(const PlacedNumber& number, const std::optional<Dimension>& wanted,
+                  const std::string& subject) {
+    const Dimension given = number.quantity.dimension.value_or(Dimension{});
+    const bool is_zero = number.quantity.value == 0.0 && !number.quantity.dimension;
+    if (!wanted || is_zero || given == *wanted) return true;
+    fault(
+        number.mark, subject,
+        yaml::fault_text("has the unit {}; it must be in {}", unit::si_name(given), unit::si_name(*wanted)));
+    return false;
   }
 
   /// Checks that the scale leads from one dimension to the other. A port of unknown dimension takes any.
   double scale_of(const std::optional<PlacedNumber>& scale, const std::optional<Dimension>& to,
                   const Dimension& from, const yaml::Mark& mark, const std::string& subject) {
-    if (scale && scale->quantity.value == 0.0) fault(scale->mark, subject, "is 0, which no value passes");
+    if (scale) check_scale(*scale, subject);
     if (scale && to) return si(scale, 1.0, *to / from, subject);
     if (!scale && to && !(*to == from))
       fault(mark, subject,
             yaml::fault_text("is in {}, and its channel in {}; 'scale' leads from one to the other, in {}",
                              unit::si_name(*to), unit::si_name(from), unit::si_name(*to / from)));
     return scale ? scale->quantity.value : 1.0;
+  }
+
+  bool check_scale(const PlacedNumber& scale, const std::string& subject) {
+    if (std::abs(scale.quantity.value) >= least_scale) return true;
+    fault(scale.mark, subject + ".scale",
+          fmt::format("is {}; its magnitude must be {} or more in SI", scale.quantity.value, least_scale));
+    return false;
   }
 
   void add_input(const InputRequest& one) {
@@ -192,17 +210,26 @@ class Wirer {
     const auto of_scale = one.scale ? one.scale->quantity.dimension : std::nullopt;
     const Dimension shown = dimension.value_or(of_scale.value_or(Dimension{}) * unit->dimension);
     all_.inputs.push_back({*port, place->index, line.scale, line.offset, filter, unit_name(shown)});
+    shown_.push_back(shown);
+    if (one.filter > 0.5 / period_)
+      all_.notes.push_back(fmt::format(
+          "the filter of input {} has no effect: {:.6g} Hz is above half the rate of the loop, {:.6g} Hz",
+          one.port, one.filter, 0.5 / period_));
     if (!one.unit.empty()) all_.limits.inputs[place->index].unit = one.unit;
     use(place->device, one.stale == Stale::stop ? guard::InputUse::live : guard::InputUse::held);
-    limit_input(one, line, dimension, all_.limits.inputs[place->index]);
+    limit_input(one, line, dimension, *place->channel, all_.limits.inputs[place->index]);
   }
 
   /// Of two inputs of one channel the stricter limits hold.
   void limit_input(const InputRequest& one, const Line& line, const std::optional<Dimension>& dimension,
-                   guard::InputLimits& limits) {
+                   const guard::SurveyedChannel& channel, guard::InputLimits& limits) {
     const std::string subject = "inputs." + one.port;
     double least = -guard::no_limit, most = guard::no_limit;
-    if (one.range) set_range(*one.range, line, dimension, subject + ".range", least, most);
+    const bool is_set = one.range && set_range(*one.range, line, dimension, subject + ".range", least, most);
+    if (is_set && (most < channel.least || least > channel.most))
+      fault(one.range->least.mark, subject + ".range",
+            yaml::fault_text("leads to {:.6g} to {:.6g}{}; the channel gives {:.6g} to {:.6g}", least, most,
+                             behind_number(channel), channel.least, channel.most));
     limits.least = std::max(limits.least, least);
     limits.most = std::min(limits.most, most);
     limits.rate = std::min(limits.rate, rate_of(one.rate, dimension, subject) / std::abs(line.scale));
@@ -210,15 +237,20 @@ class Wirer {
     if (stuck > 0) limits.stuck = limits.stuck > 0 ? std::min(limits.stuck, stuck) : stuck;
   }
 
-  /// Sets the limits of a channel from a range of its port.
-  void set_range(const PlacedRange& range, const Line& line, const std::optional<Dimension>& dimension,
+  /// Sets the limits of a channel from a range of its port. Returns false for a faulty one.
+  bool set_range(const PlacedRange& range, const Line& line, const std::optional<Dimension>& dimension,
                  const std::string& subject, double& least, double& most) {
-    const double low = si(range.least, 0.0, dimension, subject),
-                 high = si(range.most, 0.0, dimension, subject);
-    if (!(low < high)) fault(range.least.mark, subject, "does not rise; the least value is the first");
+    if (!check_unit(range.least, dimension, subject) || !check_unit(range.most, dimension, subject))
+      return false;
+    const double low = range.least.quantity.value, high = range.most.quantity.value;
+    if (!(low < high)) {
+      fault(range.least.mark, subject, "does not rise; the least value is the first");
+      return false;
+    }
     const double a = (low - line.offset) / line.scale, b = (high - line.offset) / line.scale;
     least = std::min(a, b);
     most = std::max(a, b);
+    return true;
   }
 
   double rate_of(const std::optional<PlacedNumber>& rate, const std::optional<Dimension>& dimension,
@@ -246,7 +278,7 @@ class Wirer {
     if (one.scale) si(one.scale, 1.0, wanted, subject + ".scale");
     const double scale =
         one.scale ? one.scale->quantity.value : scale_of({}, dimension, unit->dimension, one.mark, subject);
-    if (scale == 0.0) return fault(one.scale->mark, subject, "is 0, which no value passes");
+    if (one.scale && !check_scale(*one.scale, subject)) return;
     const double sign = one.direction == Direction::reverse ? -1.0 : 1.0,
                  of_unit = static_cast<double>(unit->scale);
     const Line line{sign * scale / of_unit, (si(one.offset, 0.0, unit->dimension, subject + ".offset") -
@@ -261,21 +293,23 @@ class Wirer {
     guard::OutputLimits& limits = all_.limits.outputs[place.index];
     if (!one.unit.empty()) limits.unit = one.unit;
     const Line back{1.0 / line.scale, -line.offset / line.scale};  // from the channel to the port
-    set_range(*one.limits, back, dimension, subject + ".limits", limits.least, limits.most);
+    const bool is_set =
+        set_range(*one.limits, back, dimension, subject + ".limits", limits.least, limits.most);
     const double low = one.limits->least.quantity.value, high = one.limits->most.quantity.value;
     const double rate = rate_of(one.rate, dimension, subject);
     if (!one.safe && !out_[port].safe)
       fault(one.mark, subject, "has no safe value, neither here nor in the diagram; safe: 0");
-    const double safe = si(one.safe, out_[port].safe.value_or(0.0), dimension, subject + ".safe");
-    if (safe < low || safe > high)
+    const double safe = one.safe ? one.safe->quantity.value : out_[port].safe.value_or(0.0);
+    const bool has_unit = !one.safe || check_unit(*one.safe, dimension, subject + ".safe");
+    if (is_set && has_unit && (safe < low || safe > high))
       fault(one.safe ? one.safe->mark : one.mark, subject, "has a safe value out of its limits");
     limits.safe = line.scale * safe + line.offset;
     limits.rate = rate * std::abs(line.scale);
     const guard::SurveyedChannel& channel = *place.channel;
-    if (limits.least < channel.least || limits.most > channel.most)
+    if (is_set && (limits.least < channel.least || limits.most > channel.most))
       fault(one.limits->least.mark, subject + ".limits",
-            yaml::fault_text("lead to {:.6g} to {:.6g} {}; the channel takes {:.6g} to {:.6g}", limits.least,
-                             limits.most, channel.unit, channel.least, channel.most));
+            yaml::fault_text("lead to {:.6g} to {:.6g}{}; the channel takes {:.6g} to {:.6g}", limits.least,
+                             limits.most, behind_number(channel), channel.least, channel.most));
     all_.outputs.push_back({one.port, port, place.index, line.scale, line.offset, low, high, rate * period_});
   }
 
@@ -292,7 +326,15 @@ class Wirer {
   void add_dead_man(const DeadManRequest& one) {
     const auto place = place_of(one.device, one.channel, STEPWIRE_INPUT, one.mark, "dead_man");
     if (!place) return;
-    all_.limits.dead_man = guard::DeadMan{place->index, above_of(one, *place->channel)};
+    const double above = above_of(one, *place->channel);
+    const guard::SurveyedChannel& channel = *place->channel;
+    if (above < channel.least || above >= channel.most)
+      fault(one.above ? one.above->mark : one.mark, "dead_man.above",
+            yaml::fault_text(
+                "is {:.6g}{}; it must be {:.6g} or more and below {:.6g}, or the input is always or "
+                "never held",
+                above, behind_number(channel), channel.least, channel.most));
+    all_.limits.dead_man = guard::DeadMan{place->index, above};
     use(place->device, guard::InputUse::live);
   }
 
@@ -310,15 +352,19 @@ class Wirer {
   /// An angle counts as a pure number: a torque times an angle is an energy.
   void check_energy(const EnergyRequest& one, const InputWire& force, const InputWire& motion,
                     bool is_position) {
-    const auto &of_force = in_[force.port].dimension, &of_motion = in_[motion.port].dimension;
-    if (!of_force || !of_motion) return;
+    const Dimension &of_force = shown_of(force), &of_motion = shown_of(motion);
     const char* const unit = is_position ? "J" : "W";
-    Dimension product = *of_force * *of_motion, wanted = unit::parse_unit(unit)->dimension;
+    Dimension product = of_force * of_motion, wanted = unit::parse_unit(unit)->dimension;
     product.angle = wanted.angle = 0.0;
     if (product == wanted) return;
     fault(one.mark, "energy." + one.name,
           yaml::fault_text("{} times {} is in {}; it must be in {}", in_[force.port].name,
                            in_[motion.port].name, unit::si_name(product), unit));
+  }
+  /// Returns the dimension in which an input is shown, which is that of its channel and scale where the
+  /// diagram has none.
+  const Dimension& shown_of(const InputWire& wire) const {
+    return shown_[static_cast<std::size_t>(&wire - all_.inputs.data())];
   }
   const InputWire* wired(const std::string& port, const EnergyRequest& one) {
     for (const InputWire& wire : all_.inputs)
@@ -341,7 +387,9 @@ class Wirer {
       fault(request_.clock_mark, "clock",
             "a guard has the devices, and none of them can be the clock; guard: false");
     if (request_.late && *request_.late < period_)
-      fault({}, "late", fmt::format("is less than the period of the loop, {:.6g} s", period_));
+      fault(request_.late_mark, "late",
+            fmt::format("is {:.6g} s; it must be the period of the loop or more, {:.6g} s", *request_.late,
+                        period_));
   }
 
   void note_unwired() {
@@ -363,6 +411,7 @@ class Wirer {
   std::vector<First> first_;  ///< of each device
   std::vector<Port> in_, out_;
   std::set<std::size_t> taken_;
+  std::vector<Dimension> shown_;  ///< of each wired input
   yaml::Faults faults_;
   Wiring all_;
 };

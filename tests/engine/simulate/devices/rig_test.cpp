@@ -316,6 +316,63 @@ TEST_CASE("a limit of energy takes a force times a speed, or times a place") {
   CHECK_THAT(place.faults(), Contains("energy.wrong: arm.1 times force is in N; it must be in J"));
 }
 
+TEST_CASE("inputs that are pure numbers have no energy") {
+  Opened one(
+      "inputs: {force: {device: card, channel: volt, scale: 1 N/V}, "
+      "push: {device: card, channel: volt, scale: 1 1/V}, pull: {device: card, channel: turn}}\n"
+      "energy: {bare: {force: push, speed: pull, most: 5 J}}\n");
+  one.plan = plan_text(R"(inputs: {force: {unit: N, default: 0 N}, push: {default: 0}, pull: {default: 0}}
+blocks: {sum: {block: Sum, u: [push, pull]}}
+record: [sum]
+)");
+  CHECK_THAT(one.faults(), Contains("energy.bare: push times pull is in 1; it must be in W"));
+}
+
+TEST_CASE("a number of a rig that makes no sense is refused once, with its place and its range") {
+  const std::string out =
+      "outputs: {current: {device: card, channel: drive, scale: 2 V/A, limits: [0 A, 1 A]";
+  const std::string in = "inputs: {force: {device: card, channel: volt, scale: 1 N/V";
+  for (const auto& [text, fault] : std::vector<std::pair<std::string, std::string>>{
+           {"late: 1e300 s\n", ":3:7: late: 1e300 s is not allowed; it must be above 0 and at most 3600 s"},
+           {"late: 1 ms\n", ":3:7: late: is 0.001 s; it must be the period of the loop or more, 0.01 s"},
+           {"wait: 2 h\n", ":3:7: wait: 2 h is not allowed; it must be above 0 and at most 3600 s"},
+           {"ramp: 1e300 s\n", ":3:7: ramp: 1e300 s is not allowed; it must be above 0 and at most 3600 s"},
+           {"ramp: -1 s\n", "ramp: -1 s is not allowed; it must be above 0"},
+           {in + ", stuck: 2 d}}\n", "stuck: 2 d is not allowed; it must be above 0 and at most 86400 s"},
+           {in + ", filter: 2 MHz}}\n",
+            "filter: 2 MHz is not allowed; it must be above 0 and at most 1000000 Hz"},
+           {in + ", offset: 1e19 N}}\n",
+            "offset: 1e19 N is not allowed; a number of a rig is at most 1e+18 in SI"},
+           {in + ", range: [0 N, 1e300 N]}}\n", "1e300 N is not allowed"},
+           {in + ", range: [1 V, 2 V]}}\n", "inputs.force.range: has the unit V; it must be in N"},
+           {in + ", rate: 0 N/s}}\n", "inputs.force.rate: must be above 0"},
+           {"inputs: {force: {device: card, channel: volt, scale: 1e-30 N/V}}\n",
+            "inputs.force.scale: is 1e-30; its magnitude must be 1e-18 or more in SI"},
+           {"inputs: {force: {device: card, channel: volt, scale: 0 N/V}}\n",
+            "inputs.force.scale: is 0; its"},
+           {out + ", safe: 2 A}}\n", "outputs.current: has a safe value out of its limits"},
+           {out + ", safe: 1 V}}\n", "outputs.current.safe: has the unit V; it must be in A"},
+           {"outputs: {current: {device: card, channel: drive, scale: 2 V/A, limits: [0 V, 1 V]}}\n",
+            "outputs.current.limits: has the unit V; it must be in A"},
+           {"outputs: {current: {device: card, channel: drive, scale: 2 V/A, limits: [1 A, 0 A]}}\n",
+            "outputs.current.limits: does not rise; the least value is the first"},
+           {in + "}}\nenergy: {e: {force: force, speed: force, most: 0 J}}\n",
+            "most: 0 J is not allowed; it must be from 1e-12 to 1000000000000"}}) {
+    Opened one(text);
+    const std::string faults = one.faults();
+    INFO(text << faults);
+    CHECK_THAT(faults, Contains(fault));
+    CHECK(std::ranges::count(faults, '\n') == 0);
+  }
+}
+
+TEST_CASE("a filter that a slow loop cannot have is told") {
+  Opened one("inputs: {force: {device: card, channel: volt, scale: 1 N/V, filter: 60 Hz}}\n");
+  one.open();
+  CHECK(one.rig->notes().front() ==
+        "the filter of input force has no effect: 60 Hz is above half the rate of the loop, 50 Hz");
+}
+
 TEST_CASE("the threshold of a dead-man input is in the channel's unit, or has one of its dimension") {
   const auto trouble = [](const std::string& above) {
     Opened one(
