@@ -103,11 +103,12 @@ int Beside::end() {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-int Beside::child(const std::string& name) const {
+int Beside::child(const std::string& name, int parent) const {
   for (int look = 0; look < 1000; ++look) {
     std::error_code none;
     for (const auto& entry : std::filesystem::directory_iterator("/proc", none))
-      if (is_child(entry.path(), name, process_)) return std::stoi(entry.path().filename().string());
+      if (is_child(entry.path(), name, parent > 0 ? parent : process_))
+        return std::stoi(entry.path().filename().string());
     std::this_thread::sleep_for(period);
   }
   return 0;

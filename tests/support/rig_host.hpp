@@ -45,8 +45,9 @@ class Beside {
   void send(int signal) const;
   /// Waits for its end. Returns its exit status, 128 + signal where one ended it.
   int end();
-  /// Returns the process id of a child of this name; waits some seconds for it, 0 without any.
-  int child(const std::string& name) const;
+  /// Returns the process id of a child of this name, of this program or of `parent`; waits some seconds for
+  /// it, 0 without any.
+  int child(const std::string& name, int parent = 0) const;
   int process() const { return process_; }
 
  private:

@@ -91,10 +91,17 @@ void step_all(const IoCall& call, devices::Rig& rig, const devices::Ports& ports
   rig.device().rest(outputs.data());
 }
 
+/// Raises the times of a rig that are too short for the slow steps of this verb.
+void loosen(devices::IoRequest& request) {
+  request.late = std::max(request.late.value_or(0.0), 10.0 * period);  // people need no deadlines
+  for (devices::InputRequest& one : request.inputs)
+    if (one.stuck > 0.0) one.stuck = std::max(one.stuck, period);
+}
+
 ExitCode watch_inputs(const IoCall& call) {
   const EndDelay delay(EndDelay::Signals::all);
   devices::IoRequest request = devices::read_io(call.file);
-  if (!request.late) request.late = 10.0 * period;  // people need no deadlines
+  loosen(request);
   const devices::Ports ports = devices::Ports::of(request);
   wanted_outputs(call, ports);
   devices::Rig rig(request, ports, period, 0, &interrupted());

@@ -35,7 +35,10 @@ ExitCode code_of_loop(const session::LoopOutcome& outcome) {
 ExitCode print_troubles(const session::LoopOutcome& outcome) {
   ExitCode code = code_of_loop(outcome);
   if (const auto fault = outcome.loop.simulation().fault()) complain("{}\n", fault->fault.text());
-  if (!outcome.device_fault.empty()) complain("{}\n", text::visible(outcome.device_fault));
+  if (!outcome.device_fault.empty()) {
+    complain("{}\n", text::visible(outcome.device_fault));
+    code = worst(code, ExitCode::surroundings);
+  }
   if (!outcome.rows || outcome.rows->trouble.empty()) return code;
   complain("{}; {} rows are lost\n", outcome.rows->trouble, outcome.rows->lost_to_disk);
   return worst(code, ExitCode::surroundings);

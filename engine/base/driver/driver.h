@@ -1,9 +1,10 @@
 /* Interface of the drivers of Stepwire: plain C, version 1. A driver is a shared object `NAME.so` that includes this
    file alone and exports one function, `stepwire_driver_v1`.
 
-   Calls of a device come from one thread at a time, in this order: open, channels, start, then any number of read, write,
-   safe and wait, then stop and close. Between start and stop a driver neither allocates memory nor waits longer than it
-   states, and its functions return in bounded time. No exception leaves a function. */
+   A process of its own opens each device and closes it before another process uses it. Calls of a device come from one
+   thread at a time, in this order: open, channels, start, then any number of read, write, safe and wait, then stop and
+   close. Between start and stop a driver neither allocates memory nor waits longer than it states, and its functions
+   return in bounded time. No exception leaves a function. */
 #ifndef STEPWIRE_DRIVER_H
 #define STEPWIRE_DRIVER_H
 

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -31,6 +32,7 @@ AtomicFileWriter::AtomicFileWriter(const std::string& path)
 AtomicFileWriter::~AtomicFileWriter() {
   if (file_ < 0) return;
   ::close(file_);
+  if (published_) return;
   std::error_code ignored;
   fs::remove(temporary_, ignored);
 }
@@ -63,16 +65,20 @@ bool AtomicFileWriter::write_all(std::string_view piece) {
   return true;
 }
 
+void AtomicFileWriter::publish() noexcept {
+  published_ = published_ || ::rename(temporary_.c_str(), path_.c_str()) == 0;
+}
+
 void AtomicFileWriter::finish() {
   if (incomplete_) throw EnvironmentError(trouble_);
   const int file = std::exchange(file_, -1);
   const bool closed = ::close(file) == 0;
   const int reason = errno;
   std::error_code error;
-  if (closed) fs::rename(temporary_, path_, error);
+  if (closed && !published_) fs::rename(temporary_, path_, error);
   if (closed && !error) return;
   std::error_code ignored;
-  fs::remove(temporary_, ignored);
+  if (!published_) fs::remove(temporary_, ignored);
   refuse_file(path_, closed ? error.value() : reason);
 }
 

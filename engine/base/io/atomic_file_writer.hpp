@@ -24,6 +24,9 @@ class AtomicFileWriter {
   /// Appends a piece that may be lost. Returns false where the system refuses it; a later piece may fit
   /// again.
   [[nodiscard]] bool try_append(std::string_view piece);
+  /// Renames the file to its final name already now, where the system allows it; later pieces follow. Its
+  /// content is then kept whatever ends the process.
+  void publish() noexcept;
   /// Path of the temporary file, for a library that writes it by itself.
   const std::string& temporary() const { return temporary_; }
   /// Returns the error of the first refused piece, as "PATH: No space left on device"; empty without one.
@@ -39,6 +42,7 @@ class AtomicFileWriter {
   Leftover leftover_;
   int file_ = -1;
   bool incomplete_ = false;  ///< append() failed
+  bool published_ = false;
   std::int64_t size_ = 0;  ///< [bytes] of complete pieces
 };
 

@@ -15,6 +15,9 @@ namespace {
 
 std::string limits_text(const Key& key) {
   const bool low = std::isfinite(key.least), high = std::isfinite(key.most);
+  if (low && high && key.above)
+    return fmt::format("above {} and at most {}{}{}", key.least, key.most, key.unit.empty() ? "" : " ",
+                       key.unit);
   if (low && high) return fmt::format("from {} to {}", key.least, key.most);
   return high ? fmt::format("{} or less", key.most)
               : fmt::format(fmt::runtime(key.above ? "above {}" : "{} or more"), key.least);

@@ -79,11 +79,12 @@ class ComediDevice {
  public:
   explicit ComediDevice(const Settings& settings)
       : card_(settings.text("library", "libcomedi.so.0"), settings.text("device", "/dev/comedi0")),
-        multiplication_(static_cast<int>(settings.whole("multiplication", 1))),
+        multiplication_(multiplication_of(settings)),
         span_(settings.number("range", 10.0)),
         reference_(
             static_cast<unsigned int>(settings.word("reference", {"ground", "common", "differential"}))) {
     check_multiplication();
+    if (!(span_ > 0.0)) Settings::refuse("range", "must be above 0");
     take_index(settings);
     for (const std::string& name : names_in(settings.text("inputs", ""))) add(name, STEPWIRE_INPUT);
     for (const std::string& name : names_in(settings.text("outputs", ""))) add(name, STEPWIRE_OUTPUT);
@@ -144,9 +145,12 @@ class ComediDevice {
   static void require(int result) {
     if (result < 0) throw std::runtime_error("the card refuses its configuration");
   }
+  static int multiplication_of(const Settings& settings) {
+    const std::int64_t number = settings.whole("multiplication", 1);
+    if (number != 1 && number != 2 && number != 4) Settings::refuse("multiplication", "is 1, 2 or 4");
+    return static_cast<int>(number);
+  }
   void check_multiplication() const {
-    if (multiplication_ != 1 && multiplication_ != 2 && multiplication_ != 4)
-      Settings::refuse("multiplication", "is 1, 2 or 4");
     if (multiplication_ != 1 && std::string(card_.calls.driver_name(card_.device)) == "s626")
       Settings::refuse("multiplication",
                        "is 1 for the s626, whose kernel driver counts one edge of each line");

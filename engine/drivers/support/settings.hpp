@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -29,7 +30,9 @@ class Settings {
   }
   double number(const char* key, double otherwise) const { return scaled(key, otherwise, {{"", 1.0}}); }
   std::int64_t whole(const char* key, std::int64_t otherwise) const {
+    constexpr double most = 1ll << 53;  // of exact ones
     const double value = number(key, static_cast<double>(otherwise));
+    if (!(value >= -most && value <= most)) refuse(key, "is no whole number of at most 2^53");
     if (value != static_cast<double>(static_cast<std::int64_t>(value))) refuse(key, "is no whole number");
     return static_cast<std::int64_t>(value);
   }
@@ -78,7 +81,7 @@ class Settings {
     if (!value) return otherwise;
     char* end = nullptr;
     const double number = std::strtod(value, &end);
-    if (end == value) refuse(key, "is no number");
+    if (end == value || !std::isfinite(number)) refuse(key, "is no finite number");
     while (*end == ' ') ++end;
     for (const Scale& scale : scales)
       if (std::strcmp(end, scale.unit) == 0) return number * scale.factor;

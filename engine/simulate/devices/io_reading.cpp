@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "engine/base/yaml/section.hpp"
 #include "engine/simulate/devices/io_request.hpp"
 
@@ -9,6 +11,25 @@ namespace {
 
 using yaml::form;
 using yaml::Node;
+
+constexpr double largest = 1e18;  // magnitude of a number, SI
+constexpr double hour = 3600.0, day = 24.0 * hour;
+constexpr double largest_filter = 1e6;                      // [Hz]
+constexpr double least_energy = 1e-12, most_energy = 1e12;  // [J]
+
+/// Returns the form of a number above 0 and at most `most`.
+yaml::Key positive(const char* unit, double most) {
+  yaml::Key key = form::above_zero(form::number(unit));
+  key.most = most;
+  return key;
+}
+
+yaml::Key energy_form() {
+  yaml::Key key = form::number("J");
+  key.least = least_energy;
+  key.most = most_energy;
+  return key;
+}
 
 /// Reading of a rig file, whose numbers have units.
 class IoReading : public yaml::SectionReading {
@@ -26,6 +47,9 @@ class IoReading : public yaml::SectionReading {
   void take(const Node& node, const yaml::Key&, std::optional<PlacedNumber>& number) const {
     number = placed(node);
   }
+  void take(const Node& node, const yaml::Key& key, std::optional<double>& value) const {
+    value = number(node, key);
+  }
   void take(const Node& node, const yaml::Key& key, std::optional<PlacedRange>& range) const {
     const auto* const both = pair(node, key);
     if (!both) return;
@@ -35,7 +59,7 @@ class IoReading : public yaml::SectionReading {
 
  protected:
   std::optional<double> read_number(const Node& node, const yaml::Key& key) const override {
-    const auto number = placed(node);
+    const auto number = any_number(node);
     if (!number) return std::nullopt;
     const unit::Dimension wanted =
         key.unit.empty() ? unit::Dimension{} : unit::parse_unit(key.unit)->dimension;
@@ -47,10 +71,17 @@ class IoReading : public yaml::SectionReading {
   }
 
  private:
-  std::optional<PlacedNumber> placed(const Node& node) const {
+  std::optional<PlacedNumber> any_number(const Node& node) const {
     const auto quantity = node.is_scalar() ? unit::parse_quantity(node.text) : std::nullopt;
     if (quantity) return PlacedNumber{*quantity, node.mark};
     fault(node.mark, yaml::fault_text("'{}' is no number with a unit", node.text));
+    return std::nullopt;
+  }
+  std::optional<PlacedNumber> placed(const Node& node) const {
+    auto number = any_number(node);
+    if (!number || std::abs(number->quantity.value) <= largest) return number;
+    fault(node.mark,
+          yaml::fault_text("{} is not allowed; a number of a rig is at most {} in SI", node.text, largest));
     return std::nullopt;
   }
 };
@@ -82,10 +113,9 @@ const Table<InputRequest>& input_table() {
         "largest change in a second between two looks at the device; a faster one is a fault, such as an "
         "encoder that jumps",
         quantity_form(), &Request::rate},
-       {"stuck", "time after which a value that does not change is a fault",
-        form::above_zero(form::number("s")), &Request::stuck},
-       {"filter", "cutoff of a filter of first order", form::above_zero(form::number("Hz")),
-        &Request::filter},
+       {"stuck", "time after which a value that does not change is a fault", positive("s", day),
+        &Request::stuck},
+       {"filter", "cutoff of a filter of first order", positive("Hz", largest_filter), &Request::filter},
        {"direction", "sign of the channel's value", form::word({"forward", "reverse"}), &Request::direction},
        {"stale", "effect of a value that is too old: the loop ends, or the last one counts on",
         form::word({"stop", "hold"}), &Request::stale}});
@@ -134,8 +164,8 @@ const Table<EnergyRequest>& energy_table() {
                                                   &Request::speed)),
        yaml::one_of("motion", Table<Request>::Row("position", "a wired input, whose change counts",
                                                   form::text(), &Request::position)),
-       yaml::needed(Table<Request>::Row("most", "largest energy in a second",
-                                        form::above_zero(form::number("J")), &Request::most))});
+       yaml::needed(
+           Table<Request>::Row("most", "largest energy in a second", energy_form(), &Request::most))});
   return table;
 }
 
@@ -211,6 +241,14 @@ Table<IoRequest>::Row clock_row() {
           }};
 }
 
+Table<IoRequest>::Row late_row() {
+  return {"late", "largest time between two commands, by default one and a half periods", positive("s", hour),
+          [](IoRequest& request, const Node& node, const IoReading& read) {
+            read.take(node, positive("s", hour), request.late);
+            request.late_mark = node.mark;
+          }};
+}
+
 const Table<IoRequest>& io_table() {
   static const Table<IoRequest> table(
       "a rig", "{devices: {..}, inputs: {..}, outputs: {..}}",
@@ -227,12 +265,11 @@ const Table<IoRequest>& io_table() {
         [](IoRequest& request, const Node& node, const IoReading& read) {
           read.take(node, form::truth(), request.guard);
         }},
-       {"late", "largest time between two commands, by default one and a half periods",
-        form::above_zero(form::number("s")), &IoRequest::late},
+       late_row(),
        {"wait", "largest time to the first value of each device with wired inputs, 5 s by default",
-        form::above_zero(form::number("s")), &IoRequest::wait},
-       {"ramp", "time in which outputs go from safe values to the loop's",
-        form::above_zero(form::number("s")), &IoRequest::ramp},
+        positive("s", hour), &IoRequest::wait},
+       {"ramp", "time in which outputs go from safe values to the loop's", positive("s", hour),
+        &IoRequest::ramp},
        clock_row()});
   return table;
 }

@@ -79,9 +79,10 @@ struct IoRequest {
   std::vector<EnergyRequest> energies;
   std::optional<bool> guard;   ///< std::nullopt: where a device has outputs
   std::optional<double> late;  ///< [s]; std::nullopt: one and a half periods
-  double wait = 5.0;           ///< [s]
-  double ramp = 0.0;           ///< [s]
-  std::string clock;           ///< device; empty: the timer
+  yaml::Mark late_mark;
+  double wait = 5.0;  ///< [s]
+  double ramp = 0.0;  ///< [s]
+  std::string clock;  ///< device; empty: the timer
   yaml::Mark clock_mark;
 };
 

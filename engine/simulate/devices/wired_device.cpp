@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/io/environment_error.hpp"
+
 namespace stepwire::devices {
 
 WiredDevice::WiredDevice(const Wiring& wiring, ChannelIo& io, const std::atomic<bool>* interrupt)
@@ -101,20 +103,23 @@ std::string DeviceClock::other_period() const {
 
 namespace {
 
-std::unique_ptr<guard::Bank> opened(const IoRequest& request) {
-  return std::make_unique<guard::Bank>(device_settings(request));
+/// Opens the devices in this process.
+std::unique_ptr<guard::Bank> opened(const Wiring& wiring) {
+  auto bank = std::make_unique<guard::Bank>(wiring.devices);
+  if (bank->inputs() != wiring.limits.inputs.size() || bank->outputs() != wiring.limits.outputs.size())
+    throw io::EnvironmentError("the devices have other channels than before");
+  return bank;
 }
 
 }  // namespace
 
 Rig::Rig(const IoRequest& request, const Ports& ports, double period, int priority,
          const std::atomic<bool>* interrupt) {
-  bank_ = opened(request);
-  wiring_ = wire(request, ports, *bank_, period);
+  wiring_ = wire(request, ports, known_devices(request, interrupt), period);
   if (wiring_.guarded) {
-    bank_.reset();  // the guard opens them
     io_ = std::make_unique<GuardedIo>(wiring_, priority);
   } else {
+    bank_ = opened(wiring_);
     io_ = std::make_unique<DirectIo>(wiring_, *bank_);
   }
   device_ = std::make_unique<WiredDevice>(wiring_, *io_, interrupt);

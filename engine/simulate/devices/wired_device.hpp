@@ -72,9 +72,10 @@ class DeviceClock : public realtime::LoopClock {
 /// Opened and checked rig of a loop.
 class Rig : public LoopRig {
  public:
-  /// Opens the devices of a rig file and checks it against the diagram. Throws Error and EnvironmentError.
+  /// Checks a rig file against the diagram and its devices, which a process of its own opens and closes.
+  /// Then its guard, or without one this process, opens them. Throws Error and EnvironmentError.
   /// `period` is that of the loop [s]; `priority` is that of a guard, see GuardedIo. `interrupt` ends the
-  /// wait of device().start().
+  /// wait for drivers, here by ProcessStopped and in device().start().
   Rig(const std::string& file, const plan::Plan& plan, double period, int priority = 0,
       const std::atomic<bool>* interrupt = nullptr)
       : Rig(read_io(file), Ports::of(plan), period, priority, interrupt) {}

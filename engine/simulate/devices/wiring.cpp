@@ -9,6 +9,7 @@
 
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/math/elementary.hpp"
+#include "engine/base/subprocess/process.hpp"
 
 namespace stepwire::devices {
 
@@ -16,9 +17,10 @@ namespace {
 
 using unit::Dimension;
 
+constexpr double least_scale = 1e-18;  // magnitude, SI
+
 std::int64_t nanoseconds(double seconds) {
-  constexpr double longest = 1e9;  // 32 years
-  return std::llround(std::min(seconds, longest) * 1e9);
+  return std::llround(seconds * 1e9);
 }
 
 template <class All>
@@ -30,8 +32,13 @@ std::vector<std::string> names_in(const All& all) {
 
 /// Channel of a device, with its place among those of all devices.
 struct Place {
-  const stepwire_channel* channel = nullptr;
+  const guard::SurveyedChannel* channel = nullptr;
   std::size_t device = 0, index = 0;
+};
+
+/// Places of the first channels of a device among those of all devices.
+struct First {
+  std::size_t input = 0, output = 0;
 };
 
 /// Returns the SI unit of a number, "" without one.
@@ -39,6 +46,11 @@ std::string unit_name(const Dimension& dimension) {
   const std::string name = unit::si_name(dimension);
   if (name != "1") return name;
   return dimension.angle == 1.0 ? "rad" : "";
+}
+
+/// Returns the unit of a channel as it follows a number.
+std::string behind_number(const guard::SurveyedChannel& channel) {
+  return channel.unit.empty() ? "" : " " + channel.unit;
 }
 
 /// Affine map from a channel to a port, or back: to = scale * from + offset.
@@ -49,11 +61,11 @@ struct Line {
 /// Connects the ports one by one, and collects all faults.
 class Wirer {
  public:
-  Wirer(const IoRequest& request, const Ports& ports, guard::Bank& bank, double period)
-      : request_(request), bank_(bank), period_(period), in_(ports.inputs), out_(ports.outputs) {}
+  Wirer(const IoRequest& request, const Ports& ports, const KnownDevices& devices, double period)
+      : request_(request), devices_(devices), period_(period), in_(ports.inputs), out_(ports.outputs) {}
 
   Wiring wiring() {
-    all_.devices = device_settings(request_);
+    all_.devices = devices_.settings;
     prepare_limits();
     for (const InputRequest& one : request_.inputs) add_input(one);
     for (const OutputRequest& one : request_.outputs) add_output(one);
@@ -78,13 +90,15 @@ class Wirer {
     all_.limits.late = nanoseconds(request_.late.value_or(1.5 * period_));
     all_.limits.ramp = nanoseconds(request_.ramp);
     all_.wait = nanoseconds(request_.wait);
-    all_.uses.assign(bank_.devices(), guard::InputUse::unused);
-    for (std::size_t i = 0; i < bank_.devices(); ++i) {
+    all_.uses.assign(devices_.answers.size(), guard::InputUse::unused);
+    for (std::size_t i = 0; i < devices_.answers.size(); ++i) {
+      const guard::SurveyedDevice& device = devices_.answers[i];
+      first_.push_back({all_.limits.inputs.size(), all_.limits.outputs.size()});
       all_.limits.devices.push_back(request_.devices[i].name);
-      all_.devices[i].outputs = bank_.device(i).outputs().size();
-      for (const stepwire_channel& one : bank_.device(i).inputs())
+      all_.devices[i].outputs = device.outputs.size();
+      for (const guard::SurveyedChannel& one : device.inputs)
         all_.limits.inputs.push_back({.name = channel_name(i, one), .unit = one.unit});
-      for (const stepwire_channel& one : bank_.device(i).outputs()) {
+      for (const guard::SurveyedChannel& one : device.outputs) {
         const double rest = std::clamp(0.0, one.least, one.most);
         all_.limits.outputs.push_back({channel_name(i, one), rest, rest, rest, guard::no_limit, one.unit});
       }
@@ -92,7 +106,7 @@ class Wirer {
   }
   /// A device has the strictest use of its inputs.
   void use(std::size_t device, guard::InputUse how) { all_.uses[device] = std::max(all_.uses[device], how); }
-  std::string channel_name(std::size_t device, const stepwire_channel& channel) const {
+  std::string channel_name(std::size_t device, const guard::SurveyedChannel& channel) const {
     return request_.devices[device].name + "." + channel.name;
   }
 
@@ -111,8 +125,9 @@ class Wirer {
     const auto index = device_of(device, mark, subject);
     if (!index) return std::nullopt;
     const bool is_input = direction == STEPWIRE_INPUT;
-    const auto& table = is_input ? bank_.device(*index).inputs() : bank_.device(*index).outputs();
-    const std::size_t first = is_input ? bank_.first_input(*index) : bank_.first_output(*index);
+    const guard::SurveyedDevice& answers = devices_.answers[*index];
+    const auto& table = is_input ? answers.inputs : answers.outputs;
+    const std::size_t first = is_input ? first_[*index].input : first_[*index].output;
     for (std::size_t k = 0; k < table.size(); ++k)
       if (channel == table[k].name) return Place{&table[k], *index, first + k};
     fault(mark, subject,
@@ -132,7 +147,7 @@ class Wirer {
     return std::nullopt;
   }
 
-  std::optional<unit::Unit> unit_of(const std::string& own, const stepwire_channel& channel,
+  std::optional<unit::Unit> unit_of(const std::string& own, const guard::SurveyedChannel& channel,
                                     const yaml::Mark& mark, const std::string& subject) {
     const std::string text = own.empty() ? channel.unit : own;
     const auto parsed = unit::parse_unit(text);
@@ -143,26 +158,38 @@ class Wirer {
   /// Returns a number in SI. A bare number other than 0 is refused where `wanted` has a unit.
   double si(const std::optional<PlacedNumber>& number, double otherwise,
             const std::optional<Dimension>& wanted, const std::string& subject) {
-    if (!number) return otherwise;
-    const Dimension given = number->quantity.dimension.value_or(Dimension{});
-    const bool is_zero = number->quantity.value == 0.0 && !number->quantity.dimension;
-    if (wanted && !is_zero && !(given == *wanted))
-      fault(number->mark, subject,
-            yaml::fault_text("has the unit {}; it must be in {}", unit::si_name(given),
-                             unit::si_name(*wanted)));
-    return number->quantity.value;
+    if (number) check_unit(*number, wanted, subject);
+    return number ? number->quantity.value : otherwise;
+  }
+  /// Adds a fault for a number in another unit, and returns false.
+  bool check_unit(const PlacedNumber& number, const std::optional<Dimension>& wanted,
+                  const std::string& subject) {
+    const Dimension given = number.quantity.dimension.value_or(Dimension{});
+    const bool is_zero = number.quantity.value == 0.0 && !number.quantity.dimension;
+    if (!wanted || is_zero || given == *wanted) return true;
+    fault(
+        number.mark, subject,
+        yaml::fault_text("has the unit {}; it must be in {}", unit::si_name(given), unit::si_name(*wanted)));
+    return false;
   }
 
   /// Checks that the scale leads from one dimension to the other. A port of unknown dimension takes any.
   double scale_of(const std::optional<PlacedNumber>& scale, const std::optional<Dimension>& to,
                   const Dimension& from, const yaml::Mark& mark, const std::string& subject) {
-    if (scale && scale->quantity.value == 0.0) fault(scale->mark, subject, "is 0, which no value passes");
+    if (scale) check_scale(*scale, subject);
     if (scale && to) return si(scale, 1.0, *to / from, subject);
     if (!scale && to && !(*to == from))
       fault(mark, subject,
             yaml::fault_text("is in {}, and its channel in {}; 'scale' leads from one to the other, in {}",
                              unit::si_name(*to), unit::si_name(from), unit::si_name(*to / from)));
     return scale ? scale->quantity.value : 1.0;
+  }
+
+  bool check_scale(const PlacedNumber& scale, const std::string& subject) {
+    if (std::abs(scale.quantity.value) >= least_scale) return true;
+    fault(scale.mark, subject + ".scale",
+          fmt::format("is {}; its magnitude must be {} or more in SI", scale.quantity.value, least_scale));
+    return false;
   }
 
   void add_input(const InputRequest& one) {
@@ -183,17 +210,26 @@ class Wirer {
     const auto of_scale = one.scale ? one.scale->quantity.dimension : std::nullopt;
     const Dimension shown = dimension.value_or(of_scale.value_or(Dimension{}) * unit->dimension);
     all_.inputs.push_back({*port, place->index, line.scale, line.offset, filter, unit_name(shown)});
+    shown_.push_back(shown);
+    if (one.filter > 0.5 / period_)
+      all_.notes.push_back(fmt::format(
+          "the filter of input {} has no effect: {:.6g} Hz is above half the rate of the loop, {:.6g} Hz",
+          one.port, one.filter, 0.5 / period_));
     if (!one.unit.empty()) all_.limits.inputs[place->index].unit = one.unit;
     use(place->device, one.stale == Stale::stop ? guard::InputUse::live : guard::InputUse::held);
-    limit_input(one, line, dimension, all_.limits.inputs[place->index]);
+    limit_input(one, line, dimension, *place->channel, all_.limits.inputs[place->index]);
   }
 
   /// Of two inputs of one channel the stricter limits hold.
   void limit_input(const InputRequest& one, const Line& line, const std::optional<Dimension>& dimension,
-                   guard::InputLimits& limits) {
+                   const guard::SurveyedChannel& channel, guard::InputLimits& limits) {
     const std::string subject = "inputs." + one.port;
     double least = -guard::no_limit, most = guard::no_limit;
-    if (one.range) set_range(*one.range, line, dimension, subject + ".range", least, most);
+    const bool is_set = one.range && set_range(*one.range, line, dimension, subject + ".range", least, most);
+    if (is_set && (most < channel.least || least > channel.most))
+      fault(one.range->least.mark, subject + ".range",
+            yaml::fault_text("leads to {:.6g} to {:.6g}{}; the channel gives {:.6g} to {:.6g}", least, most,
+                             behind_number(channel), channel.least, channel.most));
     limits.least = std::max(limits.least, least);
     limits.most = std::min(limits.most, most);
     limits.rate = std::min(limits.rate, rate_of(one.rate, dimension, subject) / std::abs(line.scale));
@@ -201,15 +237,20 @@ class Wirer {
     if (stuck > 0) limits.stuck = limits.stuck > 0 ? std::min(limits.stuck, stuck) : stuck;
   }
 
-  /// Sets the limits of a channel from a range of its port.
-  void set_range(const PlacedRange& range, const Line& line, const std::optional<Dimension>& dimension,
+  /// Sets the limits of a channel from a range of its port. Returns false for a faulty one.
+  bool set_range(const PlacedRange& range, const Line& line, const std::optional<Dimension>& dimension,
                  const std::string& subject, double& least, double& most) {
-    const double low = si(range.least, 0.0, dimension, subject),
-                 high = si(range.most, 0.0, dimension, subject);
-    if (!(low < high)) fault(range.least.mark, subject, "does not rise; the least value is the first");
+    if (!check_unit(range.least, dimension, subject) || !check_unit(range.most, dimension, subject))
+      return false;
+    const double low = range.least.quantity.value, high = range.most.quantity.value;
+    if (!(low < high)) {
+      fault(range.least.mark, subject, "does not rise; the least value is the first");
+      return false;
+    }
     const double a = (low - line.offset) / line.scale, b = (high - line.offset) / line.scale;
     least = std::min(a, b);
     most = std::max(a, b);
+    return true;
   }
 
   double rate_of(const std::optional<PlacedNumber>& rate, const std::optional<Dimension>& dimension,
@@ -237,7 +278,7 @@ class Wirer {
     if (one.scale) si(one.scale, 1.0, wanted, subject + ".scale");
     const double scale =
         one.scale ? one.scale->quantity.value : scale_of({}, dimension, unit->dimension, one.mark, subject);
-    if (scale == 0.0) return fault(one.scale->mark, subject, "is 0, which no value passes");
+    if (one.scale && !check_scale(*one.scale, subject)) return;
     const double sign = one.direction == Direction::reverse ? -1.0 : 1.0,
                  of_unit = static_cast<double>(unit->scale);
     const Line line{sign * scale / of_unit, (si(one.offset, 0.0, unit->dimension, subject + ".offset") -
@@ -252,26 +293,28 @@ class Wirer {
     guard::OutputLimits& limits = all_.limits.outputs[place.index];
     if (!one.unit.empty()) limits.unit = one.unit;
     const Line back{1.0 / line.scale, -line.offset / line.scale};  // from the channel to the port
-    set_range(*one.limits, back, dimension, subject + ".limits", limits.least, limits.most);
+    const bool is_set =
+        set_range(*one.limits, back, dimension, subject + ".limits", limits.least, limits.most);
     const double low = one.limits->least.quantity.value, high = one.limits->most.quantity.value;
     const double rate = rate_of(one.rate, dimension, subject);
     if (!one.safe && !out_[port].safe)
       fault(one.mark, subject, "has no safe value, neither here nor in the diagram; safe: 0");
-    const double safe = si(one.safe, out_[port].safe.value_or(0.0), dimension, subject + ".safe");
-    if (safe < low || safe > high)
+    const double safe = one.safe ? one.safe->quantity.value : out_[port].safe.value_or(0.0);
+    const bool has_unit = !one.safe || check_unit(*one.safe, dimension, subject + ".safe");
+    if (is_set && has_unit && (safe < low || safe > high))
       fault(one.safe ? one.safe->mark : one.mark, subject, "has a safe value out of its limits");
     limits.safe = line.scale * safe + line.offset;
     limits.rate = rate * std::abs(line.scale);
-    const stepwire_channel& channel = *place.channel;
-    if (limits.least < channel.least || limits.most > channel.most)
+    const guard::SurveyedChannel& channel = *place.channel;
+    if (is_set && (limits.least < channel.least || limits.most > channel.most))
       fault(one.limits->least.mark, subject + ".limits",
-            yaml::fault_text("lead to {:.6g} to {:.6g} {}; the channel takes {:.6g} to {:.6g}", limits.least,
-                             limits.most, channel.unit, channel.least, channel.most));
+            yaml::fault_text("lead to {:.6g} to {:.6g}{}; the channel takes {:.6g} to {:.6g}", limits.least,
+                             limits.most, behind_number(channel), channel.least, channel.most));
     all_.outputs.push_back({one.port, port, place.index, line.scale, line.offset, low, high, rate * period_});
   }
 
   /// Returns the threshold in the unit of the channel, which a bare number has.
-  double above_of(const DeadManRequest& one, const stepwire_channel& channel) {
+  double above_of(const DeadManRequest& one, const guard::SurveyedChannel& channel) {
     constexpr double half = 0.5;
     if (!one.above || !one.above->quantity.dimension) return one.above ? one.above->quantity.value : half;
     const auto unit = unit_of("", channel, one.mark, "dead_man");
@@ -283,7 +326,15 @@ class Wirer {
   void add_dead_man(const DeadManRequest& one) {
     const auto place = place_of(one.device, one.channel, STEPWIRE_INPUT, one.mark, "dead_man");
     if (!place) return;
-    all_.limits.dead_man = guard::DeadMan{place->index, above_of(one, *place->channel)};
+    const double above = above_of(one, *place->channel);
+    const guard::SurveyedChannel& channel = *place->channel;
+    if (above < channel.least || above >= channel.most)
+      fault(one.above ? one.above->mark : one.mark, "dead_man.above",
+            yaml::fault_text(
+                "is {:.6g}{}; it must be {:.6g} or more and below {:.6g}, or the input is always or "
+                "never held",
+                above, behind_number(channel), channel.least, channel.most));
+    all_.limits.dead_man = guard::DeadMan{place->index, above};
     use(place->device, guard::InputUse::live);
   }
 
@@ -301,15 +352,19 @@ class Wirer {
   /// An angle counts as a pure number: a torque times an angle is an energy.
   void check_energy(const EnergyRequest& one, const InputWire& force, const InputWire& motion,
                     bool is_position) {
-    const auto &of_force = in_[force.port].dimension, &of_motion = in_[motion.port].dimension;
-    if (!of_force || !of_motion) return;
+    const Dimension &of_force = shown_of(force), &of_motion = shown_of(motion);
     const char* const unit = is_position ? "J" : "W";
-    Dimension product = *of_force * *of_motion, wanted = unit::parse_unit(unit)->dimension;
+    Dimension product = of_force * of_motion, wanted = unit::parse_unit(unit)->dimension;
     product.angle = wanted.angle = 0.0;
     if (product == wanted) return;
     fault(one.mark, "energy." + one.name,
           yaml::fault_text("{} times {} is in {}; it must be in {}", in_[force.port].name,
                            in_[motion.port].name, unit::si_name(product), unit));
+  }
+  /// Returns the dimension in which an input is shown, which is that of its channel and scale where the
+  /// diagram has none.
+  const Dimension& shown_of(const InputWire& wire) const {
+    return shown_[static_cast<std::size_t>(&wire - all_.inputs.data())];
   }
   const InputWire* wired(const std::string& port, const EnergyRequest& one) {
     for (const InputWire& wire : all_.inputs)
@@ -321,7 +376,7 @@ class Wirer {
   void find_clock() {
     if (request_.clock.empty()) return;
     all_.clock = device_of(request_.clock, request_.clock_mark, "clock");
-    if (all_.clock && !bank_.device(*all_.clock).is_clock())
+    if (all_.clock && !devices_.answers[*all_.clock].is_clock)
       fault(request_.clock_mark, "clock",
             yaml::fault_text("the driver of '{}' has no clock; leave 'clock' out", request_.clock));
   }
@@ -332,7 +387,9 @@ class Wirer {
       fault(request_.clock_mark, "clock",
             "a guard has the devices, and none of them can be the clock; guard: false");
     if (request_.late && *request_.late < period_)
-      fault({}, "late", fmt::format("is less than the period of the loop, {:.6g} s", period_));
+      fault(request_.late_mark, "late",
+            fmt::format("is {:.6g} s; it must be the period of the loop or more, {:.6g} s", *request_.late,
+                        period_));
   }
 
   void note_unwired() {
@@ -349,62 +406,95 @@ class Wirer {
   }
 
   const IoRequest& request_;
-  guard::Bank& bank_;
+  const KnownDevices& devices_;
   double period_;
+  std::vector<First> first_;  ///< of each device
   std::vector<Port> in_, out_;
   std::set<std::size_t> taken_;
+  std::vector<Dimension> shown_;  ///< of each wired input
   yaml::Faults faults_;
   Wiring all_;
 };
 
-/// Loads the driver of a device and notes its file; nullptr after a fault.
-const stepwire_driver* known_driver(const IoRequest& request, const DeviceRequest& device, std::string& file,
-                                    yaml::Faults& faults) {
-  try {
-    file = driver::driver_file(device.driver);
-    return &driver::load_driver(file);
-  } catch (const io::EnvironmentError& error) {
-    faults.add({{request.file, device.mark}, "devices." + device.name, std::string(error.what()), {}});
-    return nullptr;
-  }
-}
-
 /// Checks the settings of a device against those that its driver knows.
-void check_settings(const IoRequest& request, const DeviceRequest& device, const stepwire_driver& driver,
-                    yaml::Faults& faults) {
+void check_settings(const IoRequest& request, const DeviceRequest& device,
+                    const guard::SurveyedDevice& driver, yaml::Faults& faults) {
+  const std::string subject = "devices." + device.name;
   std::vector<std::string> known;
-  for (const stepwire_known_setting* one = driver.settings; one->key; ++one) {
-    known.emplace_back(one->key);
+  for (const guard::KnownSetting& one : driver.settings) {
+    known.push_back(one.key);
     const bool is_given =
-        std::ranges::find(device.settings, one->key, &DeviceRequest::Setting::key) != device.settings.end();
-    if (!one->otherwise && !is_given)
+        std::ranges::find(device.settings, one.key, &DeviceRequest::Setting::key) != device.settings.end();
+    if (!one.otherwise && !is_given)
       faults.add({{request.file, device.mark},
-                  "devices." + device.name,
-                  fmt::format("the driver {} needs the setting '{}' ({})", driver.name, one->key, one->doc),
+                  subject,
+                  fmt::format("the driver {} needs the setting '{}' ({})", driver.driver, one.key, one.doc),
                   {}});
   }
   for (const DeviceRequest::Setting& one : device.settings)
     if (std::ranges::find(known, one.key) == known.end())
       faults.add({{request.file, one.mark},
-                  "devices." + device.name,
-                  yaml::unknown_key(one.key, known, fmt::format("the driver {}", driver.name)),
+                  subject,
+                  yaml::unknown_key(one.key, known, fmt::format("the driver {}", driver.driver)),
                   {}});
+}
+
+/// Returns the devices with the files of their drivers; a driver without a file is a fault.
+std::vector<guard::DeviceSettings> devices_with_files(const IoRequest& request, yaml::Faults& faults) {
+  std::vector<guard::DeviceSettings> all;
+  for (const DeviceRequest& device : request.devices) try {
+      guard::DeviceSettings& one =
+          all.emplace_back(guard::DeviceSettings{device.name, device.driver, {}, {}});
+      for (const DeviceRequest::Setting& setting : device.settings)
+        one.settings.emplace_back(setting.key, setting.value);
+      one.file = driver::driver_file(device.driver);
+    } catch (const io::EnvironmentError& error) {
+      faults.add({{request.file, device.mark}, "devices." + device.name, std::string(error.what()), {}});
+    }
+  return all;
+}
+
+/// Returns the answers of drivers. Throws ProcessStopped once `interrupt` is true.
+std::vector<guard::SurveyedDevice> answers_of(const std::vector<guard::DeviceSettings>& devices,
+                                              guard::SurveyDepth depth, std::int64_t limit,
+                                              const std::atomic<bool>* interrupt) {
+  auto answers = guard::survey(devices, depth, limit, interrupt);
+  if (!answers) throw subprocess::ProcessStopped("the survey of the drivers was interrupted");
+  return std::move(*answers);
 }
 
 }  // namespace
 
-std::vector<guard::DeviceSettings> device_settings(const IoRequest& request) {
-  std::vector<guard::DeviceSettings> all;
+std::vector<guard::DeviceSettings> device_settings(const IoRequest& request,
+                                                   const std::atomic<bool>* interrupt) {
   yaml::Faults faults;
-  for (const DeviceRequest& device : request.devices) {
-    guard::DeviceSettings& one = all.emplace_back(guard::DeviceSettings{device.name, device.driver, {}, {}});
-    for (const DeviceRequest::Setting& setting : device.settings)
-      one.settings.emplace_back(setting.key, setting.value);
-    if (const stepwire_driver* const driver = known_driver(request, device, one.file, faults))
-      check_settings(request, device, *driver, faults);
-  }
+  std::vector<guard::DeviceSettings> all = devices_with_files(request, faults), with_file;
+  std::vector<const DeviceRequest*> of;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!all[i].file.empty()) {
+      with_file.push_back(all[i]);
+      of.push_back(&request.devices[i]);
+    }
+  const auto answers = answers_of(with_file, guard::SurveyDepth::load, guard::longest_survey, interrupt);
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    if (answers[i].failure.empty() && !answers[i].driver.empty())
+      check_settings(request, *of[i], answers[i], faults);
+    else if (!answers[i].failure.empty())
+      faults.add({{request.file, of[i]->mark}, "devices." + of[i]->name, answers[i].failure, {}});
   faults.throw_if_any();
   return all;
+}
+
+KnownDevices known_devices(const IoRequest& request, const std::atomic<bool>* interrupt) {
+  KnownDevices known{device_settings(request, interrupt), {}};
+  known.answers = answers_of(known.settings, guard::SurveyDepth::open,
+                             guard::longest_survey + nanoseconds(request.wait), interrupt);
+  std::string failures;
+  for (std::size_t i = 0; i < known.answers.size(); ++i)
+    if (const std::string& failure = known.answers[i].failure; !failure.empty())
+      failures += (failures.empty() ? "" : "\n") + known.settings[i].name + ": " + failure;
+  if (!failures.empty()) throw io::EnvironmentError(failures);
+  return known;
 }
 
 Ports Ports::of(const plan::Plan& plan) {
@@ -424,8 +514,8 @@ Ports Ports::of(const IoRequest& request) {
   return ports;
 }
 
-Wiring wire(const IoRequest& request, const Ports& ports, guard::Bank& bank, double period) {
-  return Wirer(request, ports, bank, period).wiring();
+Wiring wire(const IoRequest& request, const Ports& ports, const KnownDevices& devices, double period) {
+  return Wirer(request, ports, devices, period).wiring();
 }
 
 }  // namespace stepwire::devices

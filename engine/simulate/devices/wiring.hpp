@@ -7,7 +7,7 @@
 
 #include "engine/simulate/devices/io_request.hpp"
 #include "engine/simulate/devices/ports.hpp"
-#include "engine/simulate/guard/bank.hpp"
+#include "engine/simulate/guard/survey.hpp"
 #include "engine/simulate/guard/watch.hpp"
 
 namespace stepwire::devices {
@@ -42,8 +42,20 @@ struct Wiring {
   std::vector<std::string> notes;    ///< ports and channels that are not wired
 };
 
-/// Returns the devices of a request. Throws yaml::Error for unknown drivers and settings.
-std::vector<guard::DeviceSettings> device_settings(const IoRequest& request);
+/// Returns the devices of a request, whose drivers are loaded in a process of their own for their settings.
+/// Throws yaml::Error for unknown drivers and settings, and ProcessStopped once `interrupt` is true.
+std::vector<guard::DeviceSettings> device_settings(const IoRequest& request,
+                                                   const std::atomic<bool>* interrupt = nullptr);
+
+/// Devices of a rig with the answers of their drivers.
+struct KnownDevices {
+  std::vector<guard::DeviceSettings> settings;
+  std::vector<guard::SurveyedDevice> answers;
+};
+
+/// Opens the devices of a request in a process of its own, and closes them. Throws as device_settings(), and
+/// EnvironmentError with the device, its driver and the reason where one does not open.
+KnownDevices known_devices(const IoRequest& request, const std::atomic<bool>* interrupt = nullptr);
 
 /// Ports of a loop.
 struct Ports {
@@ -57,6 +69,6 @@ struct Ports {
 
 /// Connects ports with the channels of devices. `period` is that of the loop [s]. Throws yaml::Error with all
 /// faults.
-Wiring wire(const IoRequest& request, const Ports& ports, guard::Bank& bank, double period);
+Wiring wire(const IoRequest& request, const Ports& ports, const KnownDevices& devices, double period);
 
 }  // namespace stepwire::devices

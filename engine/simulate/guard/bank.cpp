@@ -11,9 +11,21 @@
 
 namespace stepwire::guard {
 
+namespace {
+
+std::unique_ptr<driver::OpenDevice> opened(const DeviceSettings& one) {
+  try {
+    return std::make_unique<driver::OpenDevice>(driver::load_driver(one.file), one.settings);
+  } catch (const io::EnvironmentError& error) {
+    throw io::EnvironmentError(fmt::format("{}: {}", one.name, error.what()));
+  }
+}
+
+}  // namespace
+
 Bank::Bank(const std::vector<DeviceSettings>& devices) {
   for (const DeviceSettings& one : devices) {
-    auto open = std::make_unique<driver::OpenDevice>(driver::load_driver(one.file), one.settings);
+    auto open = opened(one);
     const std::size_t inputs = open->inputs().size(), outputs = open->outputs().size();
     devices_.push_back({one.name, std::move(open), inputs_, outputs_});
     inputs_ += inputs;

@@ -8,6 +8,7 @@
 
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/messages/bytes.hpp"
+#include "engine/simulate/guard/device_bytes.hpp"
 
 namespace stepwire::guard {
 
@@ -15,14 +16,6 @@ namespace {
 
 using messages::all;
 using messages::list;
-
-template <class Stream>
-void devices_through(Stream& stream, std::vector<DeviceSettings>& devices) {
-  list(stream, devices, [&](DeviceSettings& one) {
-    all(stream, one.name, one.driver, one.file, one.outputs);
-    list(stream, one.settings, [&](auto& setting) { all(stream, setting.first, setting.second); });
-  });
-}
 
 template <class Stream>
 void limits_through(Stream& stream, WatchLimits& of) {
@@ -56,16 +49,33 @@ std::string bytes_of(GuardCall call) {
   return writer.take();
 }
 
-std::string set_safe(const GuardCall& call) noexcept {
+namespace {
+
+void set_safe(const DeviceSettings& one, std::int64_t period, const double* safe, const BeforeCall& before) {
+  const auto begin = [&](const char* function) {
+    if (before) before(one.name, function);
+  };
+  begin("open");
+  driver::OpenDevice device(driver::load_driver(one.file), one.settings);
+  begin("start");
+  device.start(period, safe);
+  begin("safe");
+  if (one.outputs > 0 && device.safe() == STEPWIRE_FAILED)
+    throw io::EnvironmentError("the device does not take its safe values");
+  begin("stop");
+  device.stop();
+  begin("close");
+}
+
+}  // namespace
+
+std::string set_safe(const GuardCall& call, const BeforeCall& before) noexcept {
   std::string failures;
   const Watch watch(call.limits);
   const double* safe = watch.safe();
   for (const DeviceSettings& one : call.devices) {
     try {
-      driver::OpenDevice device(driver::load_driver(one.file), one.settings);
-      device.start(call.limits.period, safe);
-      if (one.outputs > 0 && device.safe() == STEPWIRE_FAILED)
-        throw io::EnvironmentError("the device does not take its safe values");
+      set_safe(one, call.limits.period, safe, before);
     } catch (const std::exception& error) {
       failures += (failures.empty() ? "" : "; ") + one.name + ": " + error.what();
     }

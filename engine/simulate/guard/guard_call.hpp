@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,9 +23,12 @@ struct GuardCall {
 std::string bytes_of(GuardCall call);
 GuardCall guard_call(std::string_view bytes);
 
+/// Function that is called before each call of a driver, with the device and the function of driver.h.
+using BeforeCall = std::function<void(const std::string& device, const char* function)>;
+
 /// Opens each device of a call, sets its outputs to their safe values and closes it. Returns the reasons of
 /// those that fail; "" for none.
-std::string set_safe(const GuardCall& call) noexcept;
+std::string set_safe(const GuardCall& call, const BeforeCall& before = {}) noexcept;
 
 /// Sets real-time scheduling of this process, and locks its memory, as far as the system allows it.
 void become_prompt(int priority);

@@ -25,8 +25,13 @@ std::string joined(const std::vector<std::string>& lines) {
 
 }  // namespace
 
-GuardProcess::GuardProcess(Link& link, int life)
-    : link_(link), life_(life), call_(guard_call(link.call())), watch_(call_.limits), bank_(call_.devices) {
+GuardProcess::GuardProcess(Link& link, int life, pid_t keeper)
+    : link_(link),
+      life_(life),
+      keeper_(keeper),
+      call_(guard_call(link.call())),
+      watch_(call_.limits),
+      bank_(call_.devices) {
   if (bank_.inputs() != call_.limits.inputs.size() || bank_.outputs() != call_.limits.outputs.size())
     throw io::EnvironmentError("the devices have other channels than before");
   inputs_.assign(bank_.inputs(), 0.0);
@@ -119,6 +124,7 @@ void GuardProcess::read_devices(std::int64_t now) {
   watch_.sensed(now, inputs_.data());
   link_.inputs().put(inputs_.data());
   link_.note_read(now);
+  if (is_lost(keeper_)) watch_.lost_keeper();
   last_read_ = now;
   next_read_ = now + call_.limits.period / 2;
 }
@@ -138,10 +144,11 @@ void GuardProcess::watch_life() noexcept {
   link_.beat(GuardRequest::gone);
 }
 
+/// The safe values are noted before the calls of drivers that may hang.
 void GuardProcess::finish() {
   set_safe();
-  bank_.stop();
   link_.note_safe();
+  bank_.stop();
   link_.put_reports(joined(bank_.reports()));
   const bool was_asked = link_.request() == GuardRequest::finish;
   if (!was_asked)
@@ -157,8 +164,8 @@ int run_guard(int memory, int life) {
   try {
     Link link{io::Descriptor(memory)};
     try {
-      start_keeper(link);
-      GuardProcess(link, life).serve();
+      const pid_t keeper = start_keeper(link);
+      GuardProcess(link, life, keeper).serve();
       return 0;
     } catch (const std::exception& error) {
       link.note_safe();  // no command has come

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstdint>
 #include <thread>
 
@@ -15,8 +17,8 @@ namespace stepwire::guard {
 /// the loop, by a request or because the loop's end of `life` is closed.
 class GuardProcess {
  public:
-  /// Opens the devices. Throws EnvironmentError.
-  GuardProcess(Link& link, int life);
+  /// Opens the devices. `keeper` is a child of this process. Throws EnvironmentError.
+  GuardProcess(Link& link, int life, pid_t keeper);
   ~GuardProcess();
   /// Starts the devices at the request of the loop, and serves it until its end. Throws EnvironmentError.
   void serve();
@@ -37,6 +39,7 @@ class GuardProcess {
 
   Link& link_;
   int life_;
+  pid_t keeper_;
   GuardCall call_;
   Watch watch_;
   Bank bank_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include "engine/simulate/guard/link.hpp"
 
 namespace stepwire::guard {
@@ -11,7 +13,13 @@ namespace stepwire::guard {
 /// Guard and loop watch each other, but none of them acts where both are killed, or where the loop is killed
 /// or stopped after it has ended a guard without a processor.
 ///
-/// Does not return in the process of the keeper.
-void start_keeper(Link& link);
+/// A driver that does not return from open or start within 10 s, or from another call within 2 s, ends the
+/// keeper with a sentence.
+///
+/// Does not return in the process of the keeper. Returns its process in the guard.
+pid_t start_keeper(Link& link);
+
+/// True once the keeper, a child of this process, has ended or is stopped. Takes less than a microsecond.
+bool is_lost(pid_t keeper) noexcept;
 
 }  // namespace stepwire::guard

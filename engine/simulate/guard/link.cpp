@@ -50,12 +50,15 @@ std::int64_t monotonic() {
   return std::int64_t{time.tv_sec} * second + time.tv_nsec;
 }
 
-void SharedNumbers::put(const double* values) noexcept {
-  const std::uint32_t lock = lock_.load(std::memory_order_relaxed) | 1u;
-  lock_.store(lock, std::memory_order_relaxed);
+void SharedNumbers::begin() noexcept {
+  lock_.store(lock_.load(std::memory_order_relaxed) | 1u, std::memory_order_relaxed);
   std::atomic_thread_fence(std::memory_order_release);
+}
+
+void SharedNumbers::put(const double* values) noexcept {
+  begin();
   for (std::size_t i = 0; i < count_; ++i) values_[i].store(values[i], std::memory_order_relaxed);
-  lock_.store(lock + 1u, std::memory_order_release);
+  lock_.store(lock_.load(std::memory_order_relaxed) + 1u, std::memory_order_release);
 }
 
 bool SharedNumbers::get(double* values) const noexcept {

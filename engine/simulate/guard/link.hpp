@@ -34,7 +34,9 @@ class SharedNumbers {
       : lock_(lock), values_(values), count_(count) {}
 
   void put(const double* values) noexcept;
-  /// Returns false where no whole change is found.
+  /// Makes the lock odd, as put() does before the numbers change.
+  void begin() noexcept;
+  /// Returns false where no whole change is found within some microseconds; the values may then be torn.
   bool get(double* values) const noexcept;
 
  private:

@@ -5,9 +5,11 @@
 #include <atomic>
 #include <csignal>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "engine/simulate/guard/guard_call.hpp"
 #include "engine/simulate/guard/link.hpp"
@@ -16,8 +18,9 @@ namespace stepwire::guard {
 
 /// Guard of this process, as its loop uses it. command() and inputs() neither allocate nor wait.
 ///
-/// A guard that has ended, is stopped or does not read the devices in time is killed, and this process sets
-/// the outputs to their safe values. The first two are noticed at once.
+/// A guard that has ended, is stopped or does not read the devices in time is killed, and a thread of this
+/// process sets the outputs to their safe values. The first two are noticed at once. A driver that does not
+/// return then keeps that thread, which finish() leaves after some seconds.
 class RunningGuard {
  public:
   /// Starts the process of the guard, which opens the devices. Throws EnvironmentError.
@@ -30,7 +33,8 @@ class RunningGuard {
   /// Lets the guard start the devices, and waits for their first values, until `interrupt` is true. Throws
   /// EnvironmentError with the guard's reason.
   void start(const std::atomic<bool>* interrupt = nullptr);
-  /// Returns the last inputs. False once the guard has tripped or is gone.
+  /// Returns the last inputs, the ones before where the guard lost its processor while it wrote them. False
+  /// once the guard has tripped or is gone.
   bool inputs(double* values) noexcept;
   bool command(const double* values) noexcept;
   void rest() noexcept { link_.beat(GuardRequest::rest); }
@@ -41,26 +45,44 @@ class RunningGuard {
   pid_t process() const { return process_; }
 
  private:
+  /// Content that the thread needs longer than this object where a driver does not return.
+  struct Shared {
+    explicit Shared(GuardCall of);
+
+    GuardCall call;
+    Link link;
+    pid_t process = -1;
+    std::atomic<bool> gone{false}, late{false}, finishing{false};
+    std::atomic<bool> watched{false};  ///< the thread has ended
+    siginfo_t change{};  ///< end or stop of the process when it was gone; all 0 where it did not read in time
+  };
+
   void spawn();
   /// Returns why the guard is not running.
   std::string why_not_started() const;
-  void watch_process() noexcept;
-  /// Returns how the process of the guard has ended; std::nullopt while it lives.
-  std::optional<siginfo_t> end_of_process() const noexcept;
+  /// Waits for the end or a stop of the guard, and then sets the safe values in its place.
+  static void watch_process(Shared& shared) noexcept;
+  static void rescue(Shared& shared, const siginfo_t& change) noexcept;
+  /// Returns how a process of this one has ended; std::nullopt while it lives.
+  static std::optional<siginfo_t> end_of(pid_t process) noexcept;
   bool is_well() noexcept;
-  void rescue(const siginfo_t& change) noexcept;
+  void end_watch();
+  void end_process();
   /// Returns "the guard was ended by signal 11 (Segmentation fault)" or another end of its process.
   std::string end_text(const siginfo_t& change) const;
   std::string names_of_devices() const;
+  std::string text_of_unfinished() const;
+  void await_safe() const;
   void await(GuardState worst, std::int64_t limit, const std::atomic<bool>* interrupt = nullptr);
 
-  GuardCall call_;
-  Link link_;
+  std::shared_ptr<Shared> shared_;
+  const GuardCall& call_;
+  Link& link_;
+  std::vector<double> inputs_, read_;  ///< the last whole ones; those of the present call
   io::Descriptor life_;
   pid_t process_ = -1;
-  std::atomic<bool> gone_{false}, finishing_{false};
-  bool finished_ = false;  ///< whole
-  siginfo_t change_{};  ///< end or stop of the process when it was gone; all 0 where it did not read in time
+  bool finished_ = false;      ///< whole
+  bool overdue_ = false;       ///< killed at the end
   std::thread process_watch_;  ///< sleeps until the guard has ended or is stopped
 };
 

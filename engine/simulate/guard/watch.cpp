@@ -203,6 +203,10 @@ std::string Watch::text() const {
       return text_of_device() + " has no new values";
     case Cause::device:
       return text_of_device() + " does not answer";
+    case Cause::keeper:
+      return "the process stepwire_keeper has ended or is stopped; without it outputs would keep their "
+             "values "
+             "where loop and guard are killed together";
     default:
       return text_of_output() + text_of_input();
   }

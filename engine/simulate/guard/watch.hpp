@@ -85,7 +85,8 @@ class Watch {
     power,        ///< too much energy in a second
     released,     ///< the dead-man input is released
     stale,        ///< a device has no new values
-    device        ///< a device fails
+    device,       ///< a device fails
+    keeper        ///< the keeper of the guard has ended or is stopped
   };
 
   explicit Watch(WatchLimits limits);
@@ -100,6 +101,9 @@ class Watch {
   void rest() noexcept;
   /// Trips for the result of driver.h of a device, unless it is OK.
   void accept(int result, std::size_t device) noexcept;
+
+  /// Trips since the keeper of the guard has ended or is stopped.
+  void lost_keeper() noexcept { trip(Cause::keeper); }
 
   /// Returns the present values of the outputs.
   const double* outputs() const { return outputs_.data(); }

@@ -158,6 +158,7 @@ class RowWriter::Sink {
   void flush() {
     if (text_.empty()) return;
     (file.try_append(text_) ? written : lost) += waiting_;
+    if (written > 0) file.publish();
     waiting_ = 0;
     text_.clear();
   }

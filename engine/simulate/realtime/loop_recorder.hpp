@@ -59,8 +59,8 @@ class LoopRecorder {
   std::int64_t rows_ = 0, lost_ = 0;
 };
 
-/// Writes the rows of a ring into the files of a loop, in a thread of its own. The files get their names in
-/// finish(); without it they are removed.
+/// Writes the rows of a ring into the files of a loop, in a thread of its own. A file gets its name with its
+/// first rows, which a kill of the loop so leaves, or in finish(); without both it is removed.
 class RowWriter {
  public:
   /// Throws EnvironmentError if a file cannot be created.

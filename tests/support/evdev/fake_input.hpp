@@ -3,10 +3,13 @@
 #include <linux/input.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <deque>
+#include <fstream>
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Input device of the fake system, as a test sees it. Its queue is that of the kernel: readers see whole
@@ -46,3 +49,28 @@ struct FakeInput {
 };
 
 using FakeInputs = std::vector<FakeInput>;
+
+/// Gamepad whose events are in a file, for other processes; the file is named by the variable FAKE_PAD.
+class FakePadFile {
+ public:
+  explicit FakePadFile(std::string path) : path_(std::move(path)) {
+    std::ofstream(path_, std::ios::binary).flush();
+    ::setenv("FAKE_PAD", path_.c_str(), 1);
+  }
+  ~FakePadFile() { ::unsetenv("FAKE_PAD"); }
+  FakePadFile(const FakePadFile&) = delete;
+  FakePadFile& operator=(const FakePadFile&) = delete;
+
+  /// Appends an event and the end of its report in one write.
+  void send(int type, int code, int value) const {
+    input_event events[2]{};
+    events[0].type = static_cast<unsigned short>(type);
+    events[0].code = static_cast<unsigned short>(code);
+    events[0].value = value;
+    std::ofstream file(path_, std::ios::binary | std::ios::app);
+    file.write(reinterpret_cast<const char*>(events), sizeof events);
+  }
+
+ private:
+  std::string path_;
+};

@@ -1,6 +1,11 @@
 // Calls of the system for the drivers of input devices under test, answered as by the event interface of the
-// kernel from devices in memory.
+// kernel from devices in memory. Where the environment variable FAKE_PAD names a file, a gamepad in its place
+// has the events that a test appends there, so that other processes see them, too.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 
 #include "engine/drivers/evdev/system.hpp"
@@ -9,6 +14,29 @@
 namespace {
 
 FakeInputs inputs;
+int pad_file = -1;
+
+/// Returns the devices; the gamepad of FAKE_PAD is added at the first call.
+FakeInputs& devices() {
+  const char* const path = std::getenv("FAKE_PAD");
+  if (!path || !inputs.empty()) return inputs;
+  FakeInput& pad = inputs.emplace_back();
+  pad.path = path;
+  pad.name = "Pad";
+  for (const int code : {ABS_X, ABS_Y}) pad.axis(code, -32768, 32767, 128);
+  pad.keys = {BTN_SOUTH, BTN_TL};
+  return inputs;
+}
+
+/// Adds the events of the file that are new.
+void take_new_events(FakeInput& pad) {
+  const char* const path = std::getenv("FAKE_PAD");
+  if (!path) return;
+  if (pad_file < 0) pad_file = ::open(path, O_RDONLY | O_CLOEXEC);
+  input_event event{};
+  while (::read(pad_file, &event, sizeof event) == static_cast<ssize_t>(sizeof event))
+    pad.send(event.type, event.code, event.value);
+}
 
 int fail(int reason) {
   errno = reason;
@@ -42,11 +70,12 @@ namespace stepwire::evdev {
 
 std::vector<std::string> System::files() {
   std::vector<std::string> paths;
-  for (const FakeInput& one : inputs) paths.push_back(one.path);
+  for (const FakeInput& one : devices()) paths.push_back(one.path);
   return paths;
 }
 
 int System::open(const char* path) {
+  devices();
   const auto found =
       std::find_if(inputs.begin(), inputs.end(), [path](const FakeInput& one) { return one.path == path; });
   if (found == inputs.end()) return fail(ENOENT);
@@ -61,6 +90,7 @@ void System::close(int file) {
 
 ssize_t System::read(int file, void* events, std::size_t bytes) {
   FakeInput& one = inputs.at(static_cast<std::size_t>(file));
+  take_new_events(one);
   if (one.unplugged) return fail(ENODEV);
   const auto is_end = [](const input_event& event) {
     return event.type == EV_SYN && event.code == SYN_REPORT;

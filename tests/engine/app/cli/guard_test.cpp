@@ -157,6 +157,43 @@ TEST_CASE("a loop whose guard is killed or stopped sets the safe value itself, a
   }
 }
 
+TEST_CASE("a loop whose keeper is killed or stopped ends with its safe value and the reason") {
+  for (const int signal : {SIGKILL, SIGSTOP}) {
+    Guarded one;
+    REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
+    const int keeper = one.loop->child("stepwire_keeper", one.loop->child("stepwire_guard"));
+    REQUIRE(keeper > 0);
+    ::kill(keeper, signal);
+    CHECK(one.rig.steps_until(safe, soon) <= soon);
+    CHECK(one.loop->end() == 3);
+    CHECK_THAT(one.errors(), Contains("the process stepwire_keeper has ended or is stopped"));
+    for (int i = 0; i < 20; ++i) CHECK(one.rig.step(1.0) == safe);
+    ::kill(keeper, SIGCONT);
+    CHECK(processes_in(one.folder.path("")) == 0);
+  }
+}
+
+TEST_CASE("rows of a loop are kept where it or its guard is killed, and the next loop removes them") {
+  Guarded one;
+  const auto rows = [&] { return lines_of(content_of(one.folder.path("out/signals.csv"))).size(); };
+  REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
+  for (int step = 0; step < 1000 && rows() < 20; ++step) one.rig.step(1.0);
+  one.loop->send(SIGKILL);
+  CHECK(one.loop->end() == 128 + SIGKILL);
+  REQUIRE(processes_in(one.folder.path("")) == 0);
+  CHECK(rows() >= 20);
+  CHECK(content_of(one.folder.path("out/signals.csv")).ends_with("\n"));
+  one.begin();
+  for (int step = 0; step < 1000 && one.rig.step(1.0) != wanted; ++step) {
+  }
+  for (int step = 0; step < 50; ++step) one.rig.step(1.0);
+  ::kill(one.loop->child("stepwire_guard"), SIGKILL);
+  CHECK(one.loop->end() == 3);
+  CHECK(rows() >= 20);
+  CHECK(std::filesystem::exists(one.folder.path("out/loop.json")));
+  CHECK(run_program(one.folder, {"verify", "out"}).code == 0);
+}
+
 TEST_CASE("a force out of its range trips the guard, which the loop reports") {
   Guarded one;
   REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);

@@ -319,9 +319,9 @@ TEST_CASE("a tablet without a resolution needs its width and height, and has no 
 
 TEST_CASE(
     "the button of a gamepad is a dead-man: outputs follow while it is down, and its release is final") {
-  Plugged plugged("fake_gamepad");
-  FakeInput& pad = add_pad(plugged);
+  const Plugged plugged("fake_gamepad");
   const Scratch folder;
+  const FakePadFile pad(folder.path("events"));
   const std::string record = folder.path("out.csv");
   const auto rig = folder.file("rig.yaml", R"(devices:
   pad: {driver: fake_gamepad}
@@ -337,6 +337,15 @@ outputs: {current: {signal: coil, unit: A, safe: 0.25 A}}
 blocks: {coil: {block: Gain, gain: 2 A, u: stick}}
 record: [coil]
 )");
+  for (const auto& [rest, fault] :
+       {std::pair{"{device: pad, channel: x, range: [2, 3]}}\n",
+                  "inputs.stick.range: leads to 2 to 3; the channel gives -1 to 1"},
+        {"{device: pad, channel: x}}\ndead_man: {device: pad, channel: tl, above: 1}\n",
+         "dead_man.above: is 1; it must be 0 or more and below 1"}}) {
+    const std::string file =
+        folder.file("b.yaml", std::string("devices: {pad: {driver: fake_gamepad}}\ninputs: {stick: ") + rest);
+    CHECK_THROWS_WITH(devices::Rig(file, plan, 0.01), Contains(fault));
+  }
   devices::Rig opened(rig, plan, 0.01);
   opened.device().start();
   double stick = 0.0;
@@ -344,7 +353,6 @@ record: [coil]
   const auto step = [&](int button) {
     pad.send(EV_KEY, BTN_TL, button);
     pad.send(EV_ABS, ABS_X, 32767);
-    pad.report();
     opened.device().read(&stick);
     opened.device().write(&current);
   };

@@ -259,14 +259,51 @@ TEST_CASE("a driver that fails is named with its function, or with the signal th
       return std::string(error.what());
     }
   };
-  CHECK_THAT(trouble("open", "true"), Contains("driver broken: open has failed without a reason"));
+  for (const std::string guard : {"true", "false"}) {
+    CHECK(trouble("open", guard) == "bad: driver broken: open has failed without a reason");
+    CHECK(trouble("open, how: crash", guard) ==
+          "bad: the driver broken was ended by signal 11 (Segmentation fault) in open or channels");
+    CHECK(trouble("channels, how: exit", guard) ==
+          "bad: the driver broken has ended its process with exit code 0 in open or channels");
+    CHECK(trouble("close, how: exit", guard) ==
+          "bad: the driver broken has ended its process with exit code 0 in close");
+  }
   for (const std::string guard : {"true", "false"})
     CHECK_THAT(trouble("start", guard), Contains("driver broken: start has failed without a reason"));
-  CHECK_THAT(trouble("crash", "true"),
+  CHECK_THAT(trouble("start, how: crash", "true"),
              Contains("the guard was ended by signal 11") && Contains("while it started bad"));
   for (const std::string guard : {"true", "false"})
     CHECK(trouble("safe", guard) == "the device bad does not answer");
   CHECK(trouble("write", "false") == "the device bad does not answer");
+}
+
+TEST_CASE(
+    "a driver that ends its process or does not return is found by a survey, which an interruption ends") {
+  ::setenv("STEPWIRE_DRIVERS", FAKE_DRIVERS, 1);
+  const std::string file = driver::driver_file("broken");
+  const auto failures = [&](const std::string& fails, const std::string& how, guard::SurveyDepth depth,
+                            const std::atomic<bool>* interrupt = nullptr) {
+    const std::vector<guard::DeviceSettings> devices{
+        {"good", "broken", file, {{"fails", ""}}}, {"bad", "broken", file, {{"fails", fails}, {"how", how}}}};
+    const auto answers = guard::survey(devices, depth, 300'000'000, interrupt);
+    return answers ? (*answers)[0].failure + (*answers)[1].failure : "interrupted";
+  };
+  using guard::SurveyDepth;
+  CHECK(failures("start", "crash", SurveyDepth::open).empty());
+  CHECK(failures("open", "crash", SurveyDepth::list).empty());
+  CHECK(
+      failures("open", "hang", SurveyDepth::open) ==
+      "the driver broken has not returned within 0.3 s in open or channels; a larger 'wait' of the rig lets "
+      "it take longer");
+  const std::atomic<bool> interrupt = true;
+  CHECK(failures("open", "hang", SurveyDepth::open, &interrupt) == "interrupted");
+  ::setenv("BROKEN_DRIVER", "load", 1);
+  CHECK(failures("", "error", SurveyDepth::load) ==
+        "the driver broken has ended its process with exit code 0 while it was loaded");
+  ::setenv("BROKEN_DRIVER", "list", 1);
+  CHECK(failures("", "error", SurveyDepth::list) ==
+        "the driver broken was ended by signal 11 (Segmentation fault) in list");
+  ::unsetenv("BROKEN_DRIVER");
 }
 
 TEST_CASE("a limit of energy takes a force times a speed, or times a place") {
@@ -277,6 +314,63 @@ TEST_CASE("a limit of energy takes a force times a speed, or times a place") {
   CHECK_THAT(product.faults(), Contains("energy.wrong: force times arm.1 is in N; it must be in W"));
   Opened place(wires + "energy: {wrong: {force: arm.1, position: force, most: 5 J}}\n");
   CHECK_THAT(place.faults(), Contains("energy.wrong: arm.1 times force is in N; it must be in J"));
+}
+
+TEST_CASE("inputs that are pure numbers have no energy") {
+  Opened one(
+      "inputs: {force: {device: card, channel: volt, scale: 1 N/V}, "
+      "push: {device: card, channel: volt, scale: 1 1/V}, pull: {device: card, channel: turn}}\n"
+      "energy: {bare: {force: push, speed: pull, most: 5 J}}\n");
+  one.plan = plan_text(R"(inputs: {force: {unit: N, default: 0 N}, push: {default: 0}, pull: {default: 0}}
+blocks: {sum: {block: Sum, u: [push, pull]}}
+record: [sum]
+)");
+  CHECK_THAT(one.faults(), Contains("energy.bare: push times pull is in 1; it must be in W"));
+}
+
+TEST_CASE("a number of a rig that makes no sense is refused once, with its place and its range") {
+  const std::string out =
+      "outputs: {current: {device: card, channel: drive, scale: 2 V/A, limits: [0 A, 1 A]";
+  const std::string in = "inputs: {force: {device: card, channel: volt, scale: 1 N/V";
+  for (const auto& [text, fault] : std::vector<std::pair<std::string, std::string>>{
+           {"late: 1e300 s\n", ":3:7: late: 1e300 s is not allowed; it must be above 0 and at most 3600 s"},
+           {"late: 1 ms\n", ":3:7: late: is 0.001 s; it must be the period of the loop or more, 0.01 s"},
+           {"wait: 2 h\n", ":3:7: wait: 2 h is not allowed; it must be above 0 and at most 3600 s"},
+           {"ramp: 1e300 s\n", ":3:7: ramp: 1e300 s is not allowed; it must be above 0 and at most 3600 s"},
+           {"ramp: -1 s\n", "ramp: -1 s is not allowed; it must be above 0"},
+           {in + ", stuck: 2 d}}\n", "stuck: 2 d is not allowed; it must be above 0 and at most 86400 s"},
+           {in + ", filter: 2 MHz}}\n",
+            "filter: 2 MHz is not allowed; it must be above 0 and at most 1000000 Hz"},
+           {in + ", offset: 1e19 N}}\n",
+            "offset: 1e19 N is not allowed; a number of a rig is at most 1e+18 in SI"},
+           {in + ", range: [0 N, 1e300 N]}}\n", "1e300 N is not allowed"},
+           {in + ", range: [1 V, 2 V]}}\n", "inputs.force.range: has the unit V; it must be in N"},
+           {in + ", rate: 0 N/s}}\n", "inputs.force.rate: must be above 0"},
+           {"inputs: {force: {device: card, channel: volt, scale: 1e-30 N/V}}\n",
+            "inputs.force.scale: is 1e-30; its magnitude must be 1e-18 or more in SI"},
+           {"inputs: {force: {device: card, channel: volt, scale: 0 N/V}}\n",
+            "inputs.force.scale: is 0; its"},
+           {out + ", safe: 2 A}}\n", "outputs.current: has a safe value out of its limits"},
+           {out + ", safe: 1 V}}\n", "outputs.current.safe: has the unit V; it must be in A"},
+           {"outputs: {current: {device: card, channel: drive, scale: 2 V/A, limits: [0 V, 1 V]}}\n",
+            "outputs.current.limits: has the unit V; it must be in A"},
+           {"outputs: {current: {device: card, channel: drive, scale: 2 V/A, limits: [1 A, 0 A]}}\n",
+            "outputs.current.limits: does not rise; the least value is the first"},
+           {in + "}}\nenergy: {e: {force: force, speed: force, most: 0 J}}\n",
+            "most: 0 J is not allowed; it must be from 1e-12 to 1000000000000"}}) {
+    Opened one(text);
+    const std::string faults = one.faults();
+    INFO(text << faults);
+    CHECK_THAT(faults, Contains(fault));
+    CHECK(std::ranges::count(faults, '\n') == 0);
+  }
+}
+
+TEST_CASE("a filter that a slow loop cannot have is told") {
+  Opened one("inputs: {force: {device: card, channel: volt, scale: 1 N/V, filter: 60 Hz}}\n");
+  one.open();
+  CHECK(one.rig->notes().front() ==
+        "the filter of input force has no effect: 60 Hz is above half the rate of the loop, 50 Hz");
 }
 
 TEST_CASE("the threshold of a dead-man input is in the channel's unit, or has one of its dimension") {
@@ -393,6 +487,27 @@ TEST_CASE("sensors with a latency show the first value until the next one has co
     client.read(&seen.emplace_back());
   }
   CHECK(seen == std::vector{5.0, 5.0, 5.0, 6.0, 7.0});
+}
+
+TEST_CASE("the inputs of a rig have their defaults again from the age of its option on") {
+  const auto plan = plan_text(slide_yaml);
+  PlantCall call = shared_plant();
+  call.inhibit = 0.1;
+  HostedPlant plant(call, plan, 0.01);
+  driver::OpenDevice client = client_of(call);
+  const double safe = 0.0, command = 0.5;
+  client.start(10'000'000, &safe);
+  client.write(&command);
+  const auto pushed = [&] {
+    double push = 3.0;
+    plant.read(&push);
+    return push;
+  };
+  CHECK(pushed() == 0.5);
+  std::this_thread::sleep_for(std::chrono::milliseconds(110));
+  CHECK(pushed() == 3.0);
+  client.write(&command);
+  CHECK(pushed() == 0.5);
 }
 
 TEST_CASE("shared memory has one client at a time") {

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <limits>
 
@@ -97,6 +98,15 @@ TEST_CASE("a loop that is silent for two periods trips the watch, and one that i
   CHECK(fed.coil() == 0.25);
   CHECK(fed.watch.cause() == Cause::late);
   CHECK_THAT(fed.watch.text(), Contains("nothing for 20 ms; it may for 20 ms"));
+}
+
+TEST_CASE("a guard whose keeper has ended trips for good") {
+  Fed fed;
+  fed.step(0.4);
+  fed.watch.lost_keeper();
+  fed.step(0.4);
+  CHECK(fed.coil() == 0.25);
+  CHECK_THAT(fed.watch.text(), Contains("the process stepwire_keeper has ended or is stopped"));
 }
 
 TEST_CASE("a late command may have moved as far as its rate allows in the time that passed") {
@@ -249,6 +259,44 @@ TEST_CASE("commands do not keep a guard from its inputs") {
     REQUIRE(guard.inputs(&force));
   }
   CHECK(force == 2.0);
+}
+
+namespace {
+
+/// Returns a second map of the memory that this process shares with its guard.
+Link link_of_guard() {
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    std::error_code none;
+    const std::string to = std::filesystem::read_symlink(entry.path(), none).string();
+    if (to.find("stepwire-guard") != std::string::npos)
+      return Link(io::Descriptor(::dup(std::stoi(entry.path().filename().string()))));
+  }
+  throw std::runtime_error("there is no guard");
+}
+
+}  // namespace
+
+TEST_CASE("a guard that loses its processor while it writes inputs leaves the loop those before") {
+  const std::string name = "stepwire-test-torn-" + std::to_string(::getpid());
+  RigHost rig(name);
+  rig.step(3.0);
+  GuardCall call{{{"rig", "shared", driver::driver_file("shared"), {{"name", name}, {"stale", "100 s"}}}},
+                 {InputUse::held}};
+  call.limits.period = 10'000 * ms;  // no input is read meanwhile
+  call.limits.late = 100'000 * ms;
+  call.limits.inputs = {{"rig.force"}};
+  call.limits.outputs = {{"rig.current"}};
+  RunningGuard guard(call);
+  guard.start();
+  double force = 0.0;
+  REQUIRE(guard.inputs(&force));
+  CHECK(force == 3.0);
+  const Link link = link_of_guard();
+  link.inputs().begin();
+  force = 0.0;
+  CHECK(guard.inputs(&force));
+  CHECK(force == 3.0);
+  CHECK(guard.trouble().empty());
 }
 
 TEST_CASE("safe values reach each device that opens, and the others are named") {
