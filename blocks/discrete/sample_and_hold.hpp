@@ -31,7 +31,7 @@ struct SampleAndHold {
 
   void crossings(Crossings& zero) const { zero.add(when); }
 
-  void configure(Configure& is) { is.skip_before_instant(trigger != Trigger::level || !is.acts_at_events()); }
+  void configure(Configure& is);
   static void declare(Declare<SampleAndHold>& is);
 
  private:

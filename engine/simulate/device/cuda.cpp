@@ -14,7 +14,8 @@ namespace stepwire::device {
 
 namespace {
 
-// The part of the driver's interface that is used here, declared as cuda.h does.
+// The part of the driver's interface that is used here, declared as cuda.h does. Each thread has a stream of
+// its own (functions with _ptds and _ptsz), so that the groups of several threads overlap.
 using Result = int;
 using DeviceNumber = int;
 using Address = unsigned long long;
@@ -35,7 +36,7 @@ struct Driver {
   Result (*retain_context)(Handle* context, DeviceNumber) = nullptr;
   Result (*release_context)(DeviceNumber) = nullptr;
   Result (*set_current)(Handle context) = nullptr;
-  Result (*synchronize)() = nullptr;
+  Result (*synchronize)(Handle stream) = nullptr;
   Result (*memory_info)(std::size_t* free, std::size_t* total) = nullptr;
   Result (*allocate)(Address* memory, std::size_t bytes) = nullptr;
   Result (*release)(Address memory) = nullptr;
@@ -75,16 +76,16 @@ std::string find_functions(void* library, Driver& driver) {
   find(driver.retain_context, "cuDevicePrimaryCtxRetain");
   find(driver.release_context, "cuDevicePrimaryCtxRelease_v2");
   find(driver.set_current, "cuCtxSetCurrent");
-  find(driver.synchronize, "cuCtxSynchronize");
+  find(driver.synchronize, "cuStreamSynchronize_ptsz");
   find(driver.memory_info, "cuMemGetInfo_v2");
   find(driver.allocate, "cuMemAlloc_v2");
   find(driver.release, "cuMemFree_v2");
-  find(driver.write, "cuMemcpyHtoD_v2");
-  find(driver.read, "cuMemcpyDtoH_v2");
+  find(driver.write, "cuMemcpyHtoD_v2_ptds");
+  find(driver.read, "cuMemcpyDtoH_v2_ptds");
   find(driver.load_module, "cuModuleLoadData");
   find(driver.unload_module, "cuModuleUnload");
   find(driver.get_function, "cuModuleGetFunction");
-  find(driver.launch, "cuLaunchKernel");
+  find(driver.launch, "cuLaunchKernel_ptsz");
   return missing;
 }
 
@@ -121,7 +122,7 @@ class CudaKernel : public Kernel {
     driver_.require(
         driver_.launch(function_, blocks, 1, 1, threads_of_block, 1, 1, 0, nullptr, arguments, nullptr),
         "start the kernel");
-    driver_.require(driver_.synchronize(), "run the kernel");
+    driver_.require(driver_.synchronize(nullptr), "run the kernel");
   }
 
  private:

@@ -18,24 +18,15 @@
 #include "engine/simulate/device/exponential.hpp"
 #include "engine/simulate/device/trigonometric.hpp"
 
-// Definitions under the symbols that elementary.hpp declares.
-namespace stepwire::device {
-
+// Define a function under the symbol that elementary.hpp declares. The text of a kernel has one of these
+// lines for each function that it may call, since a device would compile all others, too.
 #define STEPWIRE_KERNEL_OF_ONE(name, error)                                                   \
   extern "C" double stepwire_##name(double x) noexcept __asm__(STEPWIRE_SYMBOL(name, error)); \
   extern "C" double stepwire_##name(double x) noexcept {                                      \
-    return device::name(x);                                                                   \
+    return stepwire::device::name(x);                                                         \
   }
 #define STEPWIRE_KERNEL_OF_TWO(name, error)                                                             \
   extern "C" double stepwire_##name(double x, double y) noexcept __asm__(STEPWIRE_SYMBOL(name, error)); \
   extern "C" double stepwire_##name(double x, double y) noexcept {                                      \
-    return device::name(x, y);                                                                          \
+    return stepwire::device::name(x, y);                                                                \
   }
-
-STEPWIRE_FUNCTIONS(STEPWIRE_KERNEL_OF_ONE, STEPWIRE_KERNEL_OF_TWO)
-STEPWIRE_KERNEL_OF_TWO(pow, "u10")
-
-#undef STEPWIRE_KERNEL_OF_ONE
-#undef STEPWIRE_KERNEL_OF_TWO
-
-}  // namespace stepwire::device

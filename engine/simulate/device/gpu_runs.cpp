@@ -12,9 +12,9 @@ namespace stepwire::device {
 namespace {
 
 constexpr std::size_t fewest = 32;         // Runs of a plan that are worth a compilation: those of a warp.
-constexpr std::size_t most_runs = 65'536;  // Runs of a group.
+constexpr std::size_t most_runs = 8192;    // Runs of a group.
 constexpr double host_memory = 1e9;        // Memory of all groups together [bytes].
-constexpr double bytes_of_calls = 1024.0;  // Memory of a block in the tables of an executor.
+constexpr double bytes_of_calls = 2048.0;  // Memory of a block in the tables of an executor.
 constexpr double part_of_device = 0.5;     // Part of its free memory, for all groups together.
 
 /// Returns the bytes of a run in the memory of this process: its executor, its numbers and their copies, and
@@ -84,9 +84,9 @@ class Runs : public run::DeviceRuns {
   /// Returns the reason why the runs of a plan do not go to the device; an empty text if they do.
   std::string prepare(const run::PlanOfRuns& plan, const PtxCompiler& compiler, Member& member) {
     if (plan.runs.value_or(0) < fewest) return "fewer than 32 runs have the same structure";
-    std::string why = why_not_on_device(*plan.plan);
-    if (!why.empty()) return why;
     try {
+      std::string why = why_not_on_device(*plan.plan);
+      if (!why.empty()) return why;
       const std::string ptx = compiler.compile(make_kernel(*plan.plan, plan.differences.variable), {}, why);
       if (ptx.empty()) return why;
       member.kernel = device_->load(ptx);

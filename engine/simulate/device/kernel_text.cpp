@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/math/elementary.hpp"
 #include "engine/model/plan/active_pieces.hpp"
 #include "engine/simulate/codegen/headers.hpp"
 #include "engine/simulate/codegen/library.hpp"
@@ -51,6 +52,30 @@ constexpr char entry[] =
     "extern \"C\" [[gnu::visibility(\"default\")]] void {0}(device::Piece piece) {{\n"
     "  for (std::int64_t run = 0; run < piece.count; ++run) step_run(piece, run);\n}}\n"
     "#endif\n";
+
+/// Elementary function, and the line of a kernel that defines it.
+struct Defined {
+  const char *name, *line;
+};
+
+#define STEPWIRE_LINE_OF_ONE(name, error) {#name, "STEPWIRE_KERNEL_OF_ONE(" #name ", \"" error "\")\n"},
+#define STEPWIRE_LINE_OF_TWO(name, error) {#name, "STEPWIRE_KERNEL_OF_TWO(" #name ", \"" error "\")\n"},
+constexpr Defined functions[] = {STEPWIRE_FUNCTIONS(STEPWIRE_LINE_OF_ONE, STEPWIRE_LINE_OF_TWO)
+                                     STEPWIRE_LINE_OF_TWO(pow, "u10")};
+#undef STEPWIRE_LINE_OF_ONE
+#undef STEPWIRE_LINE_OF_TWO
+
+constexpr const char* declared_in = "engine/base/math/elementary.hpp";
+
+/// Returns the lines for all functions that a program or one of its headers calls.
+std::string functions_text(const codegen::GeneratedProgram& program) {
+  std::string all = program.text, lines;
+  for (const std::string& header : codegen::with_included(program.headers).all)
+    if (header != declared_in) all += codegen::header_text(header);
+  for (const Defined& function : functions)
+    if (all.find(fmt::format("fn::{}(", function.name)) != std::string::npos) lines += function.line;
+  return lines;
+}
 
 class StepText {
  public:
@@ -140,6 +165,8 @@ std::string why_not_on_device(const plan::Plan& plan) {
   if (plan.records_instants()) return "it records both sides of instants";
   if (!plan.loops.empty()) return "it has algebraic loops";
   if (plan.layout.size > most_numbers) return "its runs have more numbers than a thread of a device";
+  if (codegen::flags_for_this_machine(codegen::headers_of(plan)).empty())
+    return "code of it uses Eigen or another library, whose sums have another order on a device";
   return "";
 }
 
@@ -151,8 +178,9 @@ KernelText make_kernel(const plan::Plan& plan, const std::vector<plan::VariableB
     kernel.headers.emplace_back(header);
     kernel.source += fmt::format("#include \"{}\"\n", header);
   }
-  kernel.source += "\nnamespace {\n\nusing namespace stepwire;\n\n" + program.text + "\n" +
-                   StepText(plan).text() + "}  // namespace\n" + fmt::format(entry, kernel_name);
+  kernel.source += "\n" + functions_text(program) + "\nnamespace {\n\nusing namespace stepwire;\n\n" +
+                   program.text + "\n" + StepText(plan).text() + "}  // namespace\n" +
+                   fmt::format(entry, kernel_name);
   return kernel;
 }
 

@@ -19,7 +19,7 @@ struct KernelText {
 inline constexpr const char* kernel_name = "stepwire_runs";
 
 /// Returns the reason why the runs of a plan cannot go to a device, as a sentence; an empty text without
-/// one. The compiler may refuse further plans.
+/// one. The compiler may refuse further plans. Throws EnvironmentError if headers are missing.
 std::string why_not_on_device(const plan::Plan& plan);
 
 /// Returns the kernel of a plan, which reads the `variable` members from a NumberTable. Throws Error for

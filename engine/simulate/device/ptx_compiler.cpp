@@ -90,6 +90,8 @@ std::string readable(const std::string& symbol) {
 
 /// Returns the first error in the compiler's messages.
 std::string first_error(const std::string& problem) {
+  if (problem.find("Cannot select") != std::string::npos)
+    return "a block of it needs an instruction that a device does not have";
   const std::size_t error = problem.find("error: ");
   if (error == std::string::npos) return problem;
   return "a block of it cannot be compiled for a device: " +

@@ -69,7 +69,7 @@ int cuDevicePrimaryCtxRelease_v2(int) {
 int cuCtxSetCurrent(void*) {
   return success;
 }
-int cuCtxSynchronize() {
+int cuStreamSynchronize_ptsz(void*) {
   return is("broken") ? launch_failed : success;
 }
 int cuMemGetInfo_v2(std::size_t* free, std::size_t* total) {
@@ -86,11 +86,11 @@ int cuMemFree_v2(unsigned long long memory) {
   std::free(reinterpret_cast<void*>(memory));
   return success;
 }
-int cuMemcpyHtoD_v2(unsigned long long to, const void* from, std::size_t bytes) {
+int cuMemcpyHtoD_v2_ptds(unsigned long long to, const void* from, std::size_t bytes) {
   std::memcpy(reinterpret_cast<void*>(to), from, bytes);
   return success;
 }
-int cuMemcpyDtoH_v2(void* to, unsigned long long from, std::size_t bytes) {
+int cuMemcpyDtoH_v2_ptds(void* to, unsigned long long from, std::size_t bytes) {
   std::memcpy(to, reinterpret_cast<const void*>(from), bytes);
   return success;
 }
@@ -106,8 +106,8 @@ int cuModuleGetFunction(void** function, void* module, const char* name) {
   *function = ::dlsym(module, name);
   return *function ? success : not_found;
 }
-int cuLaunchKernel(void* function, unsigned, unsigned, unsigned, unsigned, unsigned, unsigned, unsigned,
-                   void*, void** arguments, void**) {
+int cuLaunchKernel_ptsz(void* function, unsigned, unsigned, unsigned, unsigned, unsigned, unsigned, unsigned,
+                        void*, void** arguments, void**) {
   if (is("slow")) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   const auto run = reinterpret_cast<void (*)(stepwire::device::Piece)>(function);
   run(*static_cast<const stepwire::device::Piece*>(arguments[0]));
