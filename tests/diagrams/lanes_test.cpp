@@ -36,7 +36,7 @@ std::string difference_of(const plan::Plan& plan, const std::vector<Varied>& var
     const auto alone = run_of(plan, varied, l);
     record::RunRecording own(plan);
     go_alone(*alone, own.recorders());
-    if (!same_bits(own.take(), recordings[l]->take())) return fmt::format("lane {}", l);
+    if (!stepwire::same_bits(own.take(), recordings[l]->take())) return fmt::format("lane {}", l);
     if (alone->tick() != runs[l]->tick() || alone->healthy() != runs[l]->healthy())
       return fmt::format("the end of lane {}", l);
   }

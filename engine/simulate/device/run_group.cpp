@@ -52,17 +52,21 @@ RunGroup::RunGroup(Device& device, Kernel& kernel, const std::vector<plan::Varia
   if (fits_) allocate();
 }
 
-/// Gathers the numbers of the runs. Returns false if the kernel has one of them as a constant, or if their
-/// tables differ in size.
+/// Gathers the numbers of the runs. Returns false if the kernel has one of them as a constant. Lists may have
+/// other lengths from run to run, so shorter tables end with zeros.
 bool RunGroup::gather() {
+  std::vector<plan::NumberTable> tables;
   for (std::size_t r = 0; r < runs_.size(); ++r) {
     const double* own = runs_[r].simulation->values();
     for (std::size_t n = 0; n < plan_.layout.size; ++n) values_[n * runs_.size() + r] = own[n];
-    const auto table = runs_[r].simulation->numbers(variable_);
-    if (!table || (r > 0 && table->size() != table_)) return false;
-    table_ = table->size();
-    numbers_.insert(numbers_.end(), table->data(), table->data() + table_);
+    auto table = runs_[r].simulation->numbers(variable_);
+    if (!table) return false;
+    table_ = std::max(table_, table->size());
+    tables.push_back(std::move(*table));
   }
+  numbers_.resize(table_ * runs_.size());
+  for (std::size_t r = 0; r < tables.size(); ++r)
+    std::copy_n(tables[r].data(), tables[r].size(), numbers_.data() + r * table_);
   return true;
 }
 
