@@ -4,6 +4,10 @@
 
 namespace stepwire {
 
+void SampleAndHold::configure(Configure& is) {
+  is.skip_before_instant(trigger != Trigger::level || !is.acts_at_events());
+}
+
 void SampleAndHold::declare(Declare<SampleAndHold>& is) {
   is.block(
       "SampleAndHold",

@@ -16,6 +16,9 @@ const std::map<std::string, run::ExecutionMode> engines = {{"interpreted", run::
                                                            {"compiled", run::ExecutionMode::compiled},
                                                            {"auto", run::ExecutionMode::automatic}};
 
+const std::map<std::string, device::DeviceUse> devices = {
+    {"cpu", device::DeviceUse::cpu}, {"gpu", device::DeviceUse::gpu}, {"auto", device::DeviceUse::automatic}};
+
 }  // namespace
 
 CLI::Validator choice(const std::vector<std::string>& words) {
@@ -58,6 +61,18 @@ void add_engine_option(CLI::App& verb, run::ExecutionMode& engine, const std::st
   };
   CLI::Option* option = verb.add_option("--engine", engine, what);
   option->transform(CLI::Validator(number_of, "", "engine"))->option_text("ENGINE");
+}
+
+void add_device_option(CLI::App& verb, device::DeviceUse& device) {
+  const auto number_of = [](std::string& word) -> std::string {
+    const auto known = devices.find(word);
+    if (known == devices.end()) return choice({"cpu", "gpu", "auto"})(word);
+    word = std::to_string(static_cast<int>(known->second));
+    return "";
+  };
+  CLI::Option* option =
+      verb.add_option("--device", device, "where the points of a sweep run: cpu, gpu or auto");
+  option->transform(CLI::Validator(number_of, "", "device"))->option_text("DEVICE");
 }
 
 std::vector<CLI::Option*> add_timing_options(CLI::App& verb, session::LoopWords& words) {

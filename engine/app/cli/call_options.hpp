@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/app/session/loop_settings.hpp"
+#include "engine/simulate/device/gpu_runs.hpp"
 #include "engine/simulate/run/tiered_execution.hpp"
 
 namespace CLI {
@@ -27,6 +28,8 @@ std::string fault_of_call(const CLI::App& program, const CLI::Error& error);
 
 /// Adds options that several verbs have.
 void add_engine_option(CLI::App& verb, run::ExecutionMode& engine, const std::string& what);
+
+void add_device_option(CLI::App& verb, device::DeviceUse& device);
 
 /// Declares the timing options of a real-time loop: --rate, --policy, --cpu, --overrun, --spin. Returns them.
 std::vector<CLI::Option*> add_timing_options(CLI::App& verb, session::LoopWords& words);

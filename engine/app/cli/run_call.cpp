@@ -99,6 +99,7 @@ bool output_is_single(const RunCall& call) {
 ExitCode run_each(const RunCall& call, const Registry& registry, MpiRun* mpi = nullptr) {
   if (!folders_differ(call)) return ExitCode::wrong;
   session::Session session(registry);
+  session.use_device(call.device);
   return each_model(call.models, registry, [&](session::LoadedModel& model, Json& results) {
     if (!call.models.json) print_notes(model);
     const std::size_t suites = call.suites ? call.suites->size() : 0;

@@ -12,6 +12,7 @@
 #include "engine/app/session/studies.hpp"
 #include "engine/app/session/tuning.hpp"
 #include "engine/base/junit/junit.hpp"
+#include "engine/simulate/device/gpu_runs.hpp"
 #include "engine/view/render/picture_kind.hpp"
 
 namespace stepwire::cli {
@@ -25,9 +26,10 @@ struct RunCall {
   std::optional<session::FileKinds> files{};
   render::PictureKinds pictures = render::usual_pictures;
   run::ExecutionMode engine = run::ExecutionMode::automatic;
-  bool profile = false;          ///< measure the cost of each block
-  bool coverage = false;         ///< find the branches of conditions that the runs take
-  std::string requires_section;  ///< section that each file must have; empty: none
+  device::DeviceUse device = device::DeviceUse::cpu;  ///< of the points of a sweep
+  bool profile = false;                               ///< measure the cost of each block
+  bool coverage = false;                              ///< find the branches of conditions that the runs take
+  std::string requires_section;                       ///< section that each file must have; empty: none
   session::FitCall fit;
   session::TuneCall tune;
   std::optional<session::Share> part;  ///< share of a sweep that this call runs

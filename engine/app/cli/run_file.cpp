@@ -93,6 +93,18 @@ void require_observable(const RunCall& call, const session::LoadedModel& model) 
         {model.file, {}}, "--coverage", "is of the runs of one process, without a study; leave it out", {}});
 }
 
+/// Refuses --device gpu for runs that no GPU makes: those of other processes, single ones, and trials.
+void require_device(const RunCall& call, const session::LoadedModel& model) {
+  if (call.device == device::DeviceUse::cpu) return;
+  const auto refuse = [&](const char* message) {
+    throw yaml::Error(yaml::Fault{{model.file, {}}, "--device", message, {}});
+  };
+  if (call.mpi) refuse("is of the runs of one process, and --mpi has several; leave one of them out");
+  if (model.study) refuse("is for a sweep; the trials of a study run on the processor");
+  if (model.job.points.empty())
+    refuse("is for a sweep, and the file has none; a single run is on the processor");
+}
+
 /// Refuses a missing folder before the run rather than after it.
 void require_place(const std::string& file) {
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
@@ -106,6 +118,7 @@ void require_fitting(const RunCall& call, const session::LoadedModel& model) {
   require_one_table(call, model);
   require_shares(call, model);
   require_observable(call, model);
+  require_device(call, model);
   require_place(call.csv);
 }
 

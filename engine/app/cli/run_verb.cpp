@@ -38,6 +38,7 @@ Action declare_run(CLI::App& verb) {
                 "measure what each block costs; with --out also in profile.csv and profile.svg");
   verb.add_flag("--coverage", call->coverage,
                 "list the branches of conditions that no run takes; with --out also in coverage.json");
+  add_device_option(verb, call->device);
   verb.add_option("--threads", call->models.threads, "how many threads run a sweep; all cores without it");
   verb.add_option_function<std::string>(
           "--part", [call](const std::string& text) { call->part = share_of(text); },

@@ -108,7 +108,7 @@ void show_rows(const LoadedModel& model, Outcome& outcome) {
 }
 
 run::RunOptions options_of(run::ExecutionMode engine, plan::CodeSource& code, const Monitor& monitor,
-                           unsigned threads) {
+                           unsigned threads, run::DeviceSource* device) {
   run::RunOptions options;
   options.engine = engine;
   options.code = &code;
@@ -116,6 +116,7 @@ run::RunOptions options_of(run::ExecutionMode engine, plan::CodeSource& code, co
   options.progress = [&](double fraction) { monitor.show(fraction); };
   options.observers = monitor.observers;
   options.threads = threads;
+  options.device = device;
   return options;
 }
 
@@ -188,13 +189,14 @@ Outcome run_model(const LoadedModel& model, const run::RunOptions& options) {
 }
 
 Outcome run_model(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
-                  const Monitor& monitor, unsigned threads) {
-  return run_model(model, options_of(engine, code, monitor, threads));
+                  const Monitor& monitor, unsigned threads, run::DeviceSource* device) {
+  return run_model(model, options_of(engine, code, monitor, threads, device));
 }
 
 PointsReport run_points(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
-                        const Monitor& monitor, run::PointExchange& exchange, unsigned threads) {
-  run::RunOptions options = options_of(engine, code, monitor, threads);
+                        const Monitor& monitor, run::PointExchange& exchange, unsigned threads,
+                        run::DeviceSource* device) {
+  run::RunOptions options = options_of(engine, code, monitor, threads, device);
   options.numbers = model.kept.get();
   const Seconds seconds;
   PointsReport report;

@@ -58,9 +58,9 @@ void judge_again(const LoadedModel& model, Outcome& outcome);
 /// Runs the model and judges its claims. After an early end of a run they are not judged and do not hold.
 Outcome run_model(const LoadedModel& model, const run::RunOptions& options);
 /// Does the same with a monitor, on `threads` threads (0: all cores). `code` compiles the plan unless the
-/// engine is the interpreter.
+/// engine is the interpreter. A sweep is run on `device`, if it is not nullptr, as far as its plans allow it.
 Outcome run_model(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
-                  const Monitor& monitor, unsigned threads = 0);
+                  const Monitor& monitor, unsigned threads = 0, run::DeviceSource* device = nullptr);
 
 /// Duration and lane use of a call of run_points().
 struct PointsReport {
@@ -68,10 +68,11 @@ struct PointsReport {
   run::LaneReport lanes{};
 };
 
-/// Runs the points that an exchange names, on `threads` threads (0: all cores). The exchange gets the
-/// results, which the caller joins.
+/// Runs the points that an exchange names, on `threads` threads (0: all cores), and on `device`. The exchange
+/// gets the results, which the caller joins.
 PointsReport run_points(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
-                        const Monitor& monitor, run::PointExchange& exchange, unsigned threads = 0);
+                        const Monitor& monitor, run::PointExchange& exchange, unsigned threads = 0,
+                        run::DeviceSource* device = nullptr);
 
 /// Returns sentences on the pictures of an outcome: one for each panel whose `where` selects no row. The list
 /// is empty after an early end, of which no pictures are drawn.

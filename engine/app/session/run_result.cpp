@@ -103,6 +103,9 @@ struct LanesOf {
   std::string why_not;
 };
 
+/// Device of a sweep.
+struct DeviceOf : run::DeviceReport {};
+
 /// Located events of a run.
 struct LocatedEvents : run::EventCount {};
 
@@ -178,6 +181,13 @@ static void declare(Record<LanesOf>& is) {
   is.field("why_not", text_of(&LanesOf::why_not), "reason for runs without lanes");
 }
 
+static void declare(Record<DeviceOf>& is) {
+  is.named("SweepDevice", "Runs of a sweep that a GPU has made.");
+  is.field("name", text_of(&DeviceOf::name), "name of the GPU; null if it has made none");
+  is.field("runs", &DeviceOf::runs, "number of runs that it has made");
+  is.field("why_not", text_of(&DeviceOf::why_not), "reason for runs on the processor");
+}
+
 static void declare(Record<LocatedEvents>& is) {
   is.named("LocatedEvents", "Events that were located between ticks.");
   is.field("located", &LocatedEvents::located, "number of events");
@@ -247,6 +257,12 @@ std::optional<LanesOf> lanes_of(const RunReport& of) {
   return LanesOf{result.lanes.count, result.lane_ticks, result.lanes.why_not};
 }
 
+std::optional<DeviceOf> device_of(const RunReport& of) {
+  const run::DeviceReport& device = result_of(of).lanes.device;
+  if (device.name.empty() && device.why_not.empty()) return {};
+  return DeviceOf{device};
+}
+
 std::optional<SolverSteps> steps_of(const RunReport& of) {
   const diagram::Diagram& diagram = diagram_of(of);
   if (!diagram.error_control) return {};
@@ -301,6 +317,7 @@ void add_work(Record<RunReport>& is) {
   is.field("compiled_ticks", result::path(result_of, &run::RunResult::compiled_ticks),
            "ticks in compiled code");
   is.field("lanes", lanes_of, "runs that were stepped together; null for a single run");
+  is.field("device", device_of, "runs that a GPU has made; null without `--device gpu` or `auto`");
   is.field(
       "blocks", [](const RunReport& of) { return diagram_of(of).blocks.size(); }, "number of blocks");
   is.field("block_folders", result::path(&RunReport::model, &LoadedModel::blocksets),

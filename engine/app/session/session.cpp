@@ -9,9 +9,20 @@ LoadedModel Session::load(const std::string& file, const LoadOptions& options) c
   return load_model(registry_, file, options);
 }
 
+void Session::use_device(device::DeviceUse use) {
+  device_use_ = use;
+  device_ = use == device::DeviceUse::cpu ? nullptr : std::make_unique<device::GpuRuns>(use);
+}
+
+void Session::note_device(const run::LaneReport& report) const {
+  if (device_use_ == device::DeviceUse::gpu && monitor_.diagnostic && !report.device.why_not.empty())
+    monitor_.diagnostic("on the processor, since " + report.device.why_not);
+}
+
 Outcome Session::run(const LoadedModel& model, run::ExecutionMode engine, unsigned threads) {
-  Outcome outcome = run_model(model, engine, code_, monitor_, threads);
+  Outcome outcome = run_model(model, engine, code_, monitor_, threads, device_.get());
   monitor_.note_interpreted(code_.take_problem());
+  note_device(outcome.result.lanes);
   return outcome;
 }
 
@@ -26,8 +37,9 @@ Outcome Session::pass(const LoadedModel& model, run::ExecutionMode engine, unsig
 
 PointsReport Session::run(const LoadedModel& model, run::PointExchange& points, run::ExecutionMode engine,
                           unsigned threads) {
-  const PointsReport report = run_points(model, engine, code_, monitor_, points, threads);
+  const PointsReport report = run_points(model, engine, code_, monitor_, points, threads, device_.get());
   monitor_.note_interpreted(code_.take_problem());
+  note_device(report.lanes);
   return report;
 }
 

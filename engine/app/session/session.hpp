@@ -8,6 +8,7 @@
 #include "engine/app/session/studies.hpp"
 #include "engine/app/session/tuning.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/device/gpu_runs.hpp"
 #include "engine/simulate/replay/verify.hpp"
 #include "engine/simulate/run/code_trial.hpp"
 
@@ -31,6 +32,8 @@ class Session {
   /// Loads and plans a file, and reads its figures, claims, fit, study and scene. It reports all faults that
   /// can be found before the first step.
   LoadedModel load(const std::string& file, const LoadOptions& options = {}) const;
+  /// Sets the device on which later calls run the points of a sweep.
+  void use_device(device::DeviceUse use);
   /// Runs a model, or all points of its sweep on `threads` threads (0: all cores), and judges its claims.
   Outcome run(const LoadedModel& model, run::ExecutionMode engine = run::ExecutionMode::automatic,
               unsigned threads = 0);
@@ -57,7 +60,12 @@ class Session {
  private:
   const Registry& registry_;
   Monitor monitor_;
+  /// Reports why the processor has made runs of a sweep that were to be made on the GPU.
+  void note_device(const run::LaneReport& report) const;
+
   codegen::GeneratedCode code_{run::code_trial()};
+  device::DeviceUse device_use_ = device::DeviceUse::cpu;
+  std::unique_ptr<device::GpuRuns> device_;  ///< nullptr for the processor
   Studies studies_;
 };
 

@@ -64,6 +64,7 @@ class Recorder {
     last_only_ = true;
     next_tick_ = -1;
   }
+  bool keeps_last_only() const { return last_only_; }
   /// Records rows of the recorder's next ticks, in order; successive numbers are `stride` apart.
   void record_rows(const double* numbers, std::size_t rows, std::size_t stride) {
     if (last_only_) return;

@@ -13,8 +13,9 @@ namespace stepwire::run {
 
 namespace {
 
-PoolWork work_of(const Job& job) {
-  PoolWork work{0.0, std::vector<std::size_t>(job.family->size())};
+PoolWork work_of(const Job& job, const RunOptions& options) {
+  const bool keeps_rows = options.numbers != nullptr || !keeps_a_row(job, nullptr);
+  PoolWork work{0.0, std::vector<std::size_t>(job.family->size()), keeps_rows};
   for (std::size_t point = 0; point < job.points.size(); ++point) {
     work.ticks += static_cast<double>(job.plan_of(point).steps);
     ++work.runs[job.points[point].member];
@@ -25,7 +26,7 @@ PoolWork work_of(const Job& job) {
 /// Points that share a plan follow each other, so that lanes can take them together, and keep near their
 /// place in the sweep. With observers the order is that of the sweep.
 std::vector<std::size_t> order_of(const Job& job, const RunOptions& options) {
-  constexpr std::size_t reach = 512;
+  const std::size_t reach = options.device ? 65'536 : 512;
   std::vector<std::size_t> order(job.points.size());
   std::iota(order.begin(), order.end(), 0);
   if (!options.observers.empty()) return order;
@@ -79,7 +80,7 @@ class PointRuns {
         exchange_(exchange),
         swept_(job),
         rows_(job, swept_, options.numbers),
-        pool_(*job.family, options, work_of(job)) {}
+        pool_(*job.family, options, work_of(job, options)) {}
 
   /// Runs points in the calling thread until none is left.
   void work() {

@@ -18,6 +18,8 @@
 
 namespace stepwire::run {
 
+class DeviceSource;
+
 /// Options of a call that runs a plan or a job.
 struct RunOptions {
   const std::atomic<bool>* interrupt = nullptr;  ///< Ends the run once true; its rows stay.
@@ -26,6 +28,7 @@ struct RunOptions {
   ExecutionMode engine = ExecutionMode::interpreted;
   plan::CodeSource* code = nullptr;     ///< Source of compiled code, for engines that use it.
   LaneUse lanes = LaneUse::automatic;   ///< Use of lanes in a sweep, with the interpreted engine too.
+  DeviceSource* device = nullptr;       ///< Device for the runs of a sweep; nullptr: the processor alone.
   std::vector<RunObserver*> observers;  ///< Observers of every run; must outlive the call.
   bool shows_rows = true;               ///< True if the observers read the recorded rows.
   const RunNumbers* numbers = nullptr;  ///< Numbers that replace the rows of each run of a sweep.
@@ -45,10 +48,18 @@ struct RunEnd {
   std::int64_t lane_ticks = 0;      ///< Ticks of these that were made in lanes.
 };
 
+/// Report on the runs of a sweep that a device has made.
+struct DeviceReport {
+  std::string name{};     ///< Name of the device; empty if none was used.
+  std::size_t runs = 0;   ///< Runs that it has made.
+  std::string why_not{};  ///< Reason why the processor has made runs, a sentence; empty without one.
+};
+
 /// Report on how the runs of a sweep were stepped.
 struct LaneReport {
   int count = 1;          ///< Number of lanes.
   std::string why_not{};  ///< Reason for single runs, a sentence; empty without one.
+  DeviceReport device{};
 };
 
 /// Result of a run, or of all runs of a sweep.

@@ -1,6 +1,8 @@
 #include "engine/simulate/run/run_pool.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <thread>
 #include <utility>
 
 namespace stepwire::run {
@@ -10,6 +12,14 @@ namespace {
 LaneUse use_of(const RunOptions& options) {
   const bool alone = options.engine == ExecutionMode::interpreted || !options.observers.empty();
   return alone ? LaneUse::never : options.lanes;
+}
+
+/// Opens the device of the options, unless observers watch the runs.
+std::unique_ptr<DeviceRuns> device_of(const RunOptions& options, const std::vector<PlanOfRuns>& members,
+                                      bool keeps_rows) {
+  if (!options.device || !options.observers.empty()) return nullptr;
+  const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
+  return options.device->open(members, {options.interrupt, std::max(1u, threads), keeps_rows});
 }
 
 }  // namespace
@@ -24,6 +34,7 @@ PooledRun::~PooledRun() {
 RunPool::RunPool(const PlanFamily& family, RunOptions options, const PoolWork& work)
     : family_(family),
       options_(std::move(options)),
+      device_(device_of(options_, family.plans_of_runs(work.runs), work.keeps_rows)),
       code_(options_.engine, options_.code, family.plans_of_runs(work.runs), work.ticks),
       lanes_(family.plans_of_runs(work.runs), use_of(options_), options_.code, options_.interrupt) {}
 
@@ -55,8 +66,19 @@ void RunPool::run(std::size_t member, const PlanFamily::ValuesOfRun& values_of,
     run.simulation = &begun.back().simulation();
   }
   const bool alike = std::ranges::none_of(begun, &PooledRun::has_own_plan);
-  if (alike && lanes_.runner().run(member, code_.code(member), runs)) return;
-  for (std::size_t i = 0; i < runs.size(); ++i) run_alone(begun[i].member(), runs[i]);
+  if (alike && device_ && device_->at_once(member) > 0 && device_->run(member, runs)) return;
+  const std::size_t at_once = lanes_.runner().at_once(member);
+  for (std::size_t first = 0; alike && first < runs.size(); first += at_once)
+    run_here(member, std::span(runs).subspan(first, std::min(at_once, runs.size() - first)));
+  for (std::size_t i = 0; !alike && i < runs.size(); ++i) run_alone(begun[i].member(), runs[i]);
+}
+
+void RunPool::run_here(std::size_t member, std::span<PendingRun> runs) {
+  std::vector<PendingRun> together(std::make_move_iterator(runs.begin()),
+                                   std::make_move_iterator(runs.end()));
+  if (!lanes_.runner().run(member, code_.code(member), together))
+    for (PendingRun& run : together) run_alone(member, run);
+  std::ranges::move(together, runs.begin());
 }
 
 void RunPool::run_alone(std::size_t member, PendingRun& run, RunObserver* observer) {
@@ -69,6 +91,11 @@ void RunPool::run_alone(std::size_t member, PendingRun& run, RunObserver* observ
   lanes_.done(run.end.ticks);
 }
 
+std::size_t RunPool::at_once(std::size_t member) const {
+  const std::size_t on_device = device_ ? device_->at_once(member) : 0;
+  return on_device > 0 ? on_device : lanes_.runner().at_once(member);
+}
+
 bool RunPool::compiled() const {
   if (options_.engine == ExecutionMode::interpreted) return false;
   for (std::size_t member = 0; member < family_.size(); ++member)
@@ -79,6 +106,10 @@ bool RunPool::compiled() const {
 LaneReport RunPool::lanes() const {
   LaneReport report = lanes_.lanes();
   if (!options_.observers.empty()) report.why_not = "observers watch the runs";
+  if (device_)
+    report.device = device_->report();
+  else if (options_.device)
+    report.device.why_not = "observers watch the runs";
   return report;
 }
 

@@ -3,8 +3,10 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <vector>
 
+#include "engine/simulate/run/device_runs.hpp"
 #include "engine/simulate/run/lane_batcher.hpp"
 #include "engine/simulate/run/plan_family.hpp"
 #include "engine/simulate/run/run.hpp"
@@ -40,6 +42,7 @@ class PooledRun {
 struct PoolWork {
   double ticks = 0.0;               ///< Ticks of all runs together.
   std::vector<std::size_t> runs{};  ///< Number of runs of each member; empty if unknown.
+  bool keeps_rows = true;           ///< False if only the last row of each run is kept.
 };
 
 /// Runs on the plans of a family, for sweeps, studies, fits and tunings.
@@ -64,7 +67,7 @@ class RunPool {
   void run(std::size_t member, const PlanFamily::ValuesOfRun& values_of, std::vector<PendingRun>& runs);
 
   /// Returns the largest number of runs of a member that are stepped together.
-  std::size_t at_once(std::size_t member) const { return lanes_.runner().at_once(member); }
+  std::size_t at_once(std::size_t member) const;
   /// Returns the number of threads that fill the lanes of `cores` cores (0: all).
   unsigned threads(unsigned cores) const { return lanes_.threads(cores); }
   /// Calls task(0) to task(count - 1), which make runs, on `threads` threads.
@@ -81,12 +84,15 @@ class RunPool {
 
   std::unique_ptr<Executor> take(std::size_t member);
   void give_back(std::size_t member, std::unique_ptr<Executor> simulation);
+  /// Makes runs on the processor, at most as many as there are lanes.
+  void run_here(std::size_t member, std::span<PendingRun> runs);
   void run_alone(std::size_t member, PendingRun& run, RunObserver* observer = nullptr);
 
   const PlanFamily& family_;
   const RunOptions options_;
   std::mutex mutex_;
   std::vector<std::vector<std::unique_ptr<Executor>>> idle_;  ///< unused executors of each member
+  std::unique_ptr<DeviceRuns> device_;                        ///< nullptr without a device
   TieredExecution code_;
   LaneBatcher lanes_;
 };
