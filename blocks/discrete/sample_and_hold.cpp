@@ -30,8 +30,4 @@ void SampleAndHold::declare(Declare<SampleAndHold>& is) {
       {.doc = "`when` at the last tick: -1 false, 1 true, 0 none yet", .settable = false});
 }
 
-void SampleAndHold::configure(Configure& is) {
-  is.skip_before_instant(trigger != Trigger::level || !is.acts_at_events());
-}
-
 }  // namespace stepwire
