@@ -146,7 +146,7 @@ TEST_CASE("a group that has no room on a GPU is run on the processor") {
   CHECK(calls.csv({"--device", "gpu", "--threads", "2"}, {"FAKE_CUDA=late"}) == expected);
 }
 
-TEST_CASE("--device is refused for runs that no GPU makes") {
+TEST_CASE("a device that is no word of --device is refused") {
   const Calls calls(diagram(100));
   const auto result = calls.run({"--device", "tpu"});
   CHECK_THAT(result.errors, Contains("does not take 'tpu'"));

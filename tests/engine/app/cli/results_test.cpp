@@ -98,6 +98,7 @@ TEST_CASE("claims.json and run.json have the fields that scripts read") {
                                                  "blocks",
                                                  "compiled_ticks",
                                                  "compiler",
+                                                 "device",
                                                  "duration",
                                                  "events",
                                                  "faults",
