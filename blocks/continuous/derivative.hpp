@@ -39,7 +39,7 @@ struct Derivative : Resettable {
 
  private:
   /// True at the first instant and at a reset, unless the filter has a given value.
-  bool settles() const { return follows && (begun == 0.0 || (resetting() && !value.connected())); }
+  bool settles() const { return follows && (resetting() ? !value.connected() : begun == 0.0); }
   bool settles_at_reset() const { return follows && !value.connected(); }
   void show_side(bool at_input, bool at_target) {
     if (at_input) {

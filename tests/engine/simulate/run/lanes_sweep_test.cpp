@@ -28,6 +28,18 @@ const std::string lists =
     "  watched: {block: Interlock, u: scaled, faults: [-1], measured: [wave, scaled]}\n"
     "record: all\nsweep: {k: [0.1, -1, 0.9, 2, 0.5]}\n";
 
+/// Sources of the time alone, with and without jumps, before a loop that differs between the runs.
+std::string sources(const std::string& solver) {
+  return "stepwire: 1\nstep: 10 ms\nsolver: " + solver +
+         "\nstop: 2 s\nparameters: {k: 1}\nblocks:\n"
+         "  wave: {block: Sine, amplitude: [1, 2], frequency: 1.7 Hz}\n"
+         "  pulse: {block: Pulse, period: 0.37 s, width: 0.3}\n  now: {block: Clock}\n"
+         "  curve: {block: Expression, u: now, expression: exp(-u) * sin(9 * u)}\n"
+         "  all: {block: Sum, u: [wave.1, wave.2, pulse, curve]}\n"
+         "  gap: {block: Sum, signs: +-, u: [all, x]}\n  rate: {block: Gain, gain: $k, u: gap}\n"
+         "  x: {block: Integrator, u: rate}\nrecord: all\nsweep: {k: [0.5, 1, 2, 3, 4, 5, 6, 7, 8, 9]}\n";
+}
+
 run::RunResult swept(run::LaneUse lanes, unsigned threads = 2, const std::string& text = growing) {
   const DiagramFolder folder;
   folder.write("sweep.yaml", text);
@@ -83,6 +95,17 @@ TEST_CASE("elements of a list of vectors are those of their own lane") {
   CHECK(same_bits(alone.recordings.front().table, together.recordings.front().table));
   const Compiler compiler;
   if (compiler.found() && compiler.is_gcc() && __builtin_cpu_supports("avx2")) CHECK(together.lane_ticks > 0);
+}
+
+TEST_CASE("numbers of the time alone are computed ahead for the times of each solver, with the same bits",
+          "[full]") {
+  for (const char* solver : {"euler", "heun", "bogacki_shampine", "rk4", "dormand_prince"}) {
+    INFO(solver);
+    const run::RunResult alone = swept(run::LaneUse::never, 1, sources(solver)),
+                         together = swept(run::LaneUse::at_once, 1, sources(solver));
+    CHECK(same_bits(alone.recordings.front().table, together.recordings.front().table));
+    CHECK((together.lanes.count == 1 || together.lanes.why_not == ""));
+  }
 }
 
 }  // namespace stepwire::codegen
