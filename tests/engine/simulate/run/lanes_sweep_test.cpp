@@ -35,8 +35,8 @@ std::string sources(const std::string& solver) {
          "  wave: {block: Sine, amplitude: [1, 2], frequency: 1.7 Hz}\n"
          "  pulse: {block: Pulse, period: 0.37 s, width: 0.3}\n  now: {block: Clock}\n"
          "  curve: {block: Expression, u: now, expression: exp(-u) * sin(9 * u)}\n"
-         "  all: {block: Sum, u: [wave.1, wave.2, pulse, curve]}\n"
-         "  gap: {block: Sum, signs: +-, u: [all, x]}\n  rate: {block: Gain, gain: $k, u: gap}\n"
+         "  total: {block: Sum, u: [wave.1, wave.2, pulse, curve]}\n"
+         "  gap: {block: Sum, signs: +-, u: [total, x]}\n  rate: {block: Gain, gain: $k, u: gap}\n"
          "  x: {block: Integrator, u: rate}\nrecord: all\nsweep: {k: [0.5, 1, 2, 3, 4, 5, 6, 7, 8, 9]}\n";
 }
 

@@ -89,7 +89,7 @@ TEST_CASE("a held Derivative follows its input and begins at it") {
 
 TEST_CASE("a Derivative that is held from the first instant begins at its value") {
   const table::Table run = run_text(
-      "step: 10 ms\nstop: 0.1 s\nblocks:\n  v: {block: Constant, value: 2}\n"
+      "step: 10 ms\nstop: 0.1 s\nsolver: rk4\nblocks:\n  v: {block: Constant, value: 2}\n"
       "  y: {block: Derivative, u: 0, tau: 0.5, reset: 1, trigger: level, value: v}\nrecord: [y]\n");
   for (const double y : column(run, "y")) CHECK(y == -4.0);
 }
