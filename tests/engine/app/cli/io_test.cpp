@@ -245,6 +245,30 @@ outputs: {current: {device: card, channel: drive, scale: 4 V/A, limits: [0 A, 2 
   }
 }
 
+TEST_CASE("an output that io moves keeps its rate where io has lost its processor") {
+  const Scratch folder;
+  const std::string name = "stepwire-test-" + std::to_string(::getpid());
+  stepwire::RigHost rig(name);
+  folder.file("rig.yaml", "devices: {rig: {driver: shared, name: " + name +
+                              "}}\noutputs: {current: {device: rig, channel: current, limits: [0 A, 0.5 A], "
+                              "rate: 0.25 A/s, safe: 0 A}}\nlate: 10 s\n");
+  stepwire::Beside io(STEPWIRE_PROGRAM, {"io", "rig.yaml", "--set", "current=0.5A", "--duration", "20"},
+                      folder.path(""));
+  double current = rig.step(1.0);
+  for (int look = 0; look < 3000 && !(current > 0.0); ++look) current = rig.step(1.0);
+  REQUIRE(current > 0.0);
+  for (int pause = 0; pause < 3; ++pause) {
+    io.send(SIGSTOP);
+    ::usleep(1'500'000);
+    io.send(SIGCONT);
+    ::usleep(100'000);
+  }
+  CHECK(rig.steps_until(0.5, 1500) <= 1500);
+  io.send(SIGINT);
+  CHECK(io.end() == 0);
+  CHECK(content_of(folder.path(".err")).empty());
+}
+
 TEST_CASE("a record on a full disk ends io and loop with 3") {
   const Scratch folder;
   folder.file("in.csv", "time [s],volt [V]\n0,1\n9,1\n");
