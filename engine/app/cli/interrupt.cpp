@@ -1,5 +1,7 @@
 #include "engine/app/cli/interrupt.hpp"
 
+#include <unistd.h>
+
 #include <csignal>
 
 #include "engine/base/io/leftovers.hpp"
@@ -8,6 +10,8 @@
 namespace stepwire::cli {
 
 namespace {
+
+constexpr int code_of_interrupted = 130;
 
 // Globals, because a signal handler gets no context.
 std::atomic<bool> flag = false;
@@ -19,6 +23,7 @@ void handle(int signal) {
   const bool is_first = !flag.exchange(true);
   if ((is_first && delays_of_first > 0) || delays_of_all > 0) return;
   io::remove_leftovers();
+  if (is_first) ::_exit(code_of_interrupted);
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -33,6 +38,16 @@ void catch_signal(int signal) {
 }
 
 }  // namespace
+
+void end_at_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action {};
+    ::sigaction(signal, nullptr, &action);
+    if (signal == SIGHUP && action.sa_handler == SIG_IGN) continue;  // under nohup
+    action.sa_handler = [](int) { ::_exit(code_of_interrupted); };
+    ::sigaction(signal, &action, nullptr);
+  }
+}
 
 const std::atomic<bool>& interrupted() {
   return flag;

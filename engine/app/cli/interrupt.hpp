@@ -5,9 +5,12 @@
 namespace stepwire::cli {
 
 /// True after SIGINT (Ctrl-C), SIGTERM or SIGHUP, from catch_signals() on.
-/// The signal terminates the child processes. Then it ends this process without its temporary files, unless
-/// an EndDelay exists.
+/// The signal terminates the child processes. Then it ends this process with exit code 130 and without its
+/// temporary files, unless an EndDelay exists. A second signal ends the process by itself.
 const std::atomic<bool>& interrupted();
+
+/// Lets each of these signals end the process with exit code 130, for the time before catch_signals().
+void end_at_signals();
 
 /// Installs the handlers, and ignores SIGPIPE and SIGXFSZ, so that failed writes return errors instead.
 void catch_signals();

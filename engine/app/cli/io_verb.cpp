@@ -16,6 +16,7 @@ namespace stepwire::cli {
 namespace {
 
 constexpr double period = 0.01;    // [s]
+constexpr int steps_of_write = 2;  // between two commands
 constexpr int steps_of_line = 20;  // between two printed lines
 constexpr double most_duration = 3600.0;
 
@@ -75,18 +76,26 @@ void show(const devices::Rig& rig, const devices::Ports& ports, const std::vecto
   say("{}\n", text::visible(line));
 }
 
+std::chrono::nanoseconds nanoseconds(double seconds) {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds));
+}
+
+/// Steps until the duration has passed. Each step begins a period after the end of the one before, so late
+/// steps are not made up for. A command changes an output by what the rate allows in a period, at most.
+///
+/// The guard takes the last of several commands where it has lost its processor. n commands change an output
+/// by n periods of its rate. At least 2 (n - 1) periods pass between the first and the last of them, and the
+/// guard counts one period at least, so it allows them.
 void step_all(const IoCall& call, devices::Rig& rig, const devices::Ports& ports) {
   std::vector<double> inputs(ports.inputs.size());
   const std::vector<double> outputs = wanted_outputs(call, ports);
-  const int steps = static_cast<int>(std::ceil(call.duration / period));
   rig.device().start();
-  auto next = std::chrono::steady_clock::now();
-  for (int i = 0; i < steps && rig.device().healthy() && !interrupted(); ++i) {
+  const auto end = std::chrono::steady_clock::now() + nanoseconds(call.duration);
+  for (int i = 0; std::chrono::steady_clock::now() < end && rig.device().healthy() && !interrupted(); ++i) {
     rig.device().read(inputs.data());
-    if (!call.set.empty()) rig.device().write(outputs.data());
+    if (!call.set.empty() && i % steps_of_write == 0) rig.device().write(outputs.data());
     if (i % steps_of_line == 0) show(rig, ports, inputs);
-    std::this_thread::sleep_until(
-        next += std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(period)));
+    std::this_thread::sleep_for(nanoseconds(period));
   }
   rig.device().rest(outputs.data());
 }

@@ -77,7 +77,9 @@ typedef struct stepwire_driver {
   /* Ends; the outputs keep their values, which are the safe ones by then. */
   void (*stop)(void* device);
   void (*close)(void* device);
-  /* Writes one line with counts, such as lost packets, between start and close; "" without any. */
+  /* Writes one line with counts, such as lost packets, between start and close; "" without any. A line that begins
+     with "failed: " has the reason of a failure, such as a record that is not whole; the command ends with 3. The
+     counts follow behind a line break. */
   void (*report)(void* device, char* text, size_t size);
   /* Writes what is plugged in, one line each; "" for nothing. May be NULL. */
   void (*list)(char* text, size_t size);

@@ -1,13 +1,17 @@
 // Driver that plays a record as a device would, and records what is written to it.
-#include <ctime>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "engine/drivers/support/table.hpp"
 
@@ -80,6 +84,57 @@ struct Record {
   std::string path_;
 };
 
+/// New file of lines. Where the disk is full it has the lines before, each of them whole.
+class LineFile {
+ public:
+  explicit LineFile(const std::string& path)
+      : file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+    if (file_ < 0) trouble_ = errno;
+  }
+  ~LineFile() {
+    if (file_ >= 0) ::close(file_);
+  }
+  LineFile(const LineFile&) = delete;
+  LineFile& operator=(const LineFile&) = delete;
+
+  void add(const std::string& line) {
+    constexpr std::size_t piece = 1 << 16;  // bytes
+    waiting_ += line + "\n";
+    if (waiting_.size() >= piece) flush();
+  }
+  void finish() {
+    flush();
+    if (file_ >= 0 && ::close(std::exchange(file_, -1)) != 0 && trouble_ == 0) trouble_ = errno;
+  }
+  std::size_t lines() const { return lines_; }
+  int trouble() const { return trouble_; }
+
+ private:
+  /// Writes what is waiting, and cuts a last line that is not whole.
+  void flush() {
+    std::size_t done = 0;
+    while (trouble_ == 0 && done < waiting_.size()) {
+      const ssize_t count = ::write(file_, waiting_.data() + done, waiting_.size() - done);
+      if (count > 0)
+        done += static_cast<std::size_t>(count);
+      else if (count == 0 || errno != EINTR)
+        trouble_ = count == 0 ? ENOSPC : errno;
+    }
+    const std::size_t whole = done == 0 ? 0 : waiting_.rfind('\n', done - 1) + 1;
+    lines_ += static_cast<std::size_t>(
+        std::count(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(whole), '\n'));
+    bytes_ += static_cast<off_t>(whole);
+    if (done > whole && ::ftruncate(file_, bytes_) != 0 && trouble_ == 0) trouble_ = errno;
+    waiting_.clear();
+  }
+
+  int file_;
+  int trouble_ = 0;
+  std::size_t lines_ = 0;
+  off_t bytes_ = 0;
+  std::string waiting_;
+};
+
 class FileDevice {
  public:
   explicit FileDevice(const Settings& settings)
@@ -134,24 +189,32 @@ class FileDevice {
 
   void stop() {
     if (out_.empty()) return;
-    std::FILE* const file = std::fopen(out_.c_str(), "w");
-    if (!file) return;
-    std::fprintf(file, "time [s]");
+    LineFile file(out_);
+    std::string line = "time [s]";
     for (const stepwire_channel& one : channels_.table())
       if (one.direction == STEPWIRE_OUTPUT)
-        std::fprintf(file, *one.unit ? ",%s [%s]" : ",%s", one.name, one.unit);
+        line += std::string(",") + one.name + (*one.unit ? " [" + std::string(one.unit) + "]" : "");
+    file.add(line);
     const std::size_t width = channels_.count(STEPWIRE_OUTPUT) + 1;
-    for (std::size_t i = 0; i < rows_ * width; ++i)
-      std::fprintf(file, "%s%.17g", i % width == 0 ? "\n" : ",", written_[i]);
-    std::fprintf(file, "\n");
-    trouble_ = std::ferror(file) != 0;
-    trouble_ = std::fclose(file) != 0 || trouble_;
+    for (std::size_t row = 0; row < rows_; ++row) {
+      line.clear();
+      for (std::size_t i = row * width; i < (row + 1) * width; ++i)
+        line += (line.empty() ? "" : ",") + text_of(written_[i]);
+      file.add(line);
+    }
+    file.finish();
+    kept_ = std::max<std::size_t>(1, file.lines()) - 1;
+    trouble_ = file.trouble();
   }
 
   void report(char* text, std::size_t size) const {
-    std::snprintf(text, size, "%lld reads, %zu rows written%s%s", static_cast<long long>(reads_), rows_,
-                  lost_ > 0 ? ", further ones lost for want of memory" : "",
-                  trouble_ ? ", the record is not whole: its disk refused" : "");
+    std::string failure;
+    if (trouble_ != 0)
+      failure = "failed: the record " + out_ + " has " + std::to_string(kept_) + " of " +
+                std::to_string(rows_) + " rows: " + std::strerror(trouble_) + "\n";
+    std::snprintf(text, size, "%s%lld reads, %zu rows written%s", failure.c_str(),
+                  static_cast<long long>(reads_), trouble_ != 0 ? kept_ : rows_,
+                  lost_ > 0 ? ", further ones lost for want of memory" : "");
   }
 
  private:
@@ -161,6 +224,11 @@ class FileDevice {
     times_ = std::move(record.times);
     values_ = std::move(record.values);
   }
+  static std::string text_of(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.17g", value);
+    return text.data();
+  }
   void check_writable() const {
     std::FILE* const file = std::fopen(out_.c_str(), "w");
     if (!file) throw std::runtime_error("the record " + out_ + " cannot be written");
@@ -169,11 +237,13 @@ class FileDevice {
 
   Channels channels_;
   std::int64_t latency_, period_ = 0, begin_ = 0, first_read_ = 0, reads_ = 0, lost_ = 0;
-  bool by_reads_, holds_, trouble_ = false;
+  bool by_reads_, holds_;
   std::string out_;
   std::vector<std::int64_t> times_;
   std::vector<double> values_, written_, safe_;
   std::size_t row_ = 0, rows_ = 0;
+  std::size_t kept_ = 0;  ///< rows in the file
+  int trouble_ = 0;       ///< of the file, as errno
 };
 
 constexpr stepwire_known_setting settings[] = {

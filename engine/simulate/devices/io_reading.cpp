@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/unit/meaning.hpp"
 #include "engine/base/yaml/section.hpp"
 #include "engine/simulate/devices/io_request.hpp"
 
@@ -64,7 +65,12 @@ class IoReading : public yaml::SectionReading {
     const unit::Dimension wanted =
         key.unit.empty() ? unit::Dimension{} : unit::parse_unit(key.unit)->dimension;
     const bool needs_unit = !key.unit.empty() && !number->quantity.dimension && number->quantity.value != 0.0;
-    if (!needs_unit && number->quantity.dimension.value_or(wanted) == wanted) return number->quantity.value;
+    const unit::Dimension given = number->quantity.dimension.value_or(wanted);
+    if (const std::string other = unit::other_meaning_of_number(given, wanted); !other.empty()) {
+      fault(node.mark, other);
+      return std::nullopt;
+    }
+    if (!needs_unit && given == wanted) return number->quantity.value;
     fault(node.mark,
           yaml::fault_text("'{}' is no number in {}", node.text, key.unit.empty() ? "1" : key.unit));
     return std::nullopt;

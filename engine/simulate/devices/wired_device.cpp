@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string_view>
 
 #include "engine/base/io/environment_error.hpp"
 
@@ -103,6 +105,15 @@ std::string DeviceClock::other_period() const {
 
 namespace {
 
+/// Returns the device and the reason of a line "card: failed: the record ..", see driver.h; std::nullopt for
+/// counts.
+std::optional<std::string> failure_in(const std::string& line) {
+  constexpr std::string_view word = ": failed: ";
+  const std::size_t at = line.find(word);
+  if (at == std::string::npos || line.find(": ") != at) return std::nullopt;
+  return line.substr(0, at) + ": " + line.substr(at + word.size());
+}
+
 /// Opens the devices in this process.
 std::unique_ptr<guard::Bank> opened(const Wiring& wiring) {
   auto bank = std::make_unique<guard::Bank>(wiring.devices);
@@ -127,8 +138,19 @@ Rig::Rig(const IoRequest& request, const Ports& ports, double period, int priori
     clock_ = std::make_unique<DeviceClock>(bank_->device(*wiring_.clock), wiring_.limits.period);
 }
 
+std::string Rig::trouble() const {
+  std::string all = io_->trouble();
+  for (const std::string& failure : failures_) all += (all.empty() ? "" : "\n") + failure;
+  return all;
+}
+
 std::vector<std::string> Rig::finish() {
-  std::vector<std::string> lines = io_->finish();
+  std::vector<std::string> lines;
+  for (std::string& line : io_->finish())
+    if (const auto failure = failure_in(line))
+      failures_.push_back(*failure);
+    else
+      lines.push_back(std::move(line));
   if (clock_)
     if (std::string line = clock_->other_period(); !line.empty()) lines.push_back(std::move(line));
   for (std::string& line : device_->limited()) lines.push_back(std::move(line));

@@ -85,7 +85,8 @@ class Rig : public LoopRig {
   realtime::Device& device() override { return *device_; }
   realtime::LoopClock* clock() override { return clock_.get(); }
   std::vector<std::string> notes() const override { return wiring_.notes; }
-  std::string trouble() const override { return io_->trouble(); }
+  /// The reason why the rig is not to be used any more comes first, then failures of drivers at the end.
+  std::string trouble() const override;
   const std::vector<InputWire>& inputs() const { return wiring_.inputs; }
   std::vector<std::string> finish() override;
 
@@ -95,6 +96,7 @@ class Rig : public LoopRig {
   std::unique_ptr<ChannelIo> io_;
   std::unique_ptr<WiredDevice> device_;
   std::unique_ptr<DeviceClock> clock_;
+  std::vector<std::string> failures_;  ///< of drivers at the end
 };
 
 }  // namespace stepwire::devices

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "engine/base/io/environment_error.hpp"
 #include "engine/simulate/guard/link.hpp"
@@ -98,8 +99,11 @@ void Bank::stop() noexcept {
 
 std::vector<std::string> Bank::reports() const {
   std::vector<std::string> all;
-  for (const One& one : devices_)
-    if (const std::string text = one.open->report(); !text.empty()) all.push_back(one.name + ": " + text);
+  for (const One& one : devices_) {
+    std::istringstream report(one.open->report());
+    for (std::string line; std::getline(report, line);)
+      if (!line.empty()) all.push_back(one.name + ": " + line);
+  }
   return all;
 }
 

@@ -52,7 +52,7 @@ class Bank {
   /// Sets the use of the inputs of each device.
   void use(const std::vector<InputUse>& uses);
   void stop() noexcept;
-  /// Returns a line of counts for each device that has any.
+  /// Returns a line of counts for each device that has any, and one for each failure: "card: failed: .. ".
   std::vector<std::string> reports() const;
 
  private:

@@ -111,12 +111,17 @@ void GuardProcess::take_command(std::int64_t now) {
     set_safe();
   } else if (!watch_.tripped() && link_.commands().get(commands_.data())) {
     watch_.commanded(now, commands_.data());
-    if (!watch_.tripped()) watch_.accept(bank_.write(watch_.outputs()), bank_.culprit());
+    if (watch_.tripped()) return;
+    link_.note_outputs(Outputs::live);
+    watch_.accept(bank_.write(watch_.outputs()), bank_.culprit());
   }
 }
 
 void GuardProcess::set_safe() noexcept {
-  watch_.accept(bank_.safe(), bank_.culprit());
+  if (link_.outputs() == Outputs::live) link_.note_outputs(Outputs::becoming);
+  const int result = bank_.safe();
+  watch_.accept(result, bank_.culprit());
+  if (result != STEPWIRE_FAILED) link_.note_outputs(Outputs::safe);
 }
 
 void GuardProcess::read_devices(std::int64_t now) {

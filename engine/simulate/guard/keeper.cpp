@@ -1,12 +1,14 @@
 #include "engine/simulate/guard/keeper.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -24,16 +26,65 @@ namespace stepwire::guard {
 namespace {
 
 constexpr unsigned longest_open = 10, longest_call = 2;  // of open and start, of another call of a driver [s]
+constexpr int look_time = 20;                            // between two looks at the guard [ms]
+constexpr std::int64_t beyond_late = 100'000'000;        // of a live guard without a read [ns]
+constexpr std::int64_t longest_safe = 2'500'000'000;     // of a driver's safe in the guard [ns]
 constexpr std::int64_t between_tries = 1'000'000;        // between two tries [ns]
 constexpr std::int64_t longest_tries = 10'000'000'000;   // [ns]
 
 std::array<char, 256> late_text{};  // for the signal handler
 
-/// Waits until all other ends of a pipe are closed. Nothing is written to it.
-void await_end(int descriptor) {
-  pollfd look{descriptor, 0, 0};
-  while (::poll(&look, 1, -1) < 0 && errno == EINTR) {
+/// Processes of a guarded loop. The descriptors are of the processes themselves, so that no others are meant.
+struct Watched {
+  int guard = -1, loop = -1;
+  int life = -1;  ///< pipe whose other end the guard has
+};
+
+/// Waits until all other ends of a pipe are closed, at most for this time [ms]; -1: without limit. Nothing is
+/// written to the pipe.
+bool has_ended(int pipe, int time) {
+  pollfd look{pipe, 0, 0};
+  int result = 0;
+  while ((result = ::poll(&look, 1, time)) < 0 && errno == EINTR) {
   }
+  return result != 0;
+}
+
+/// Time in which the guard has read no devices though it should.
+class Silence {
+ public:
+  Silence(const Link& link, std::int64_t late) : link_(link), longest_live_(late + beyond_late) {}
+
+  /// Returns true once it is too long. Is called every look_time.
+  bool is_too_long() {
+    constexpr std::int64_t most = 2 * std::int64_t{look_time} * 1'000'000;
+    const std::int64_t now = monotonic(), read = link_.read_at();
+    const Outputs outputs = link_.outputs();
+    const bool goes_on = read != read_ || outputs != outputs_ || outputs == Outputs::safe || link_.is_safe();
+    time_ = goes_on ? 0 : time_ + std::min(now - last_, most);
+    last_ = now;
+    read_ = read;
+    outputs_ = outputs;
+    return time_ > (outputs == Outputs::live ? longest_live_ : longest_safe);
+  }
+  double seconds() const { return 1e-9 * static_cast<double>(time_); }
+
+ private:
+  const Link& link_;
+  std::int64_t longest_live_, time_ = 0, read_ = 0, last_ = 0;
+  Outputs outputs_ = Outputs::safe;
+};
+
+/// Waits for the end of the guard, and kills one that does not run. Returns how it has ended.
+std::string await_end(const Link& link, const Watched& watched, std::int64_t late) {
+  Silence silence(link, late);
+  while (!has_ended(watched.life, look_time)) {
+    if (!silence.is_too_long()) continue;
+    ::syscall(SYS_pidfd_send_signal, watched.guard, SIGKILL, nullptr, 0);
+    has_ended(watched.life, -1);
+    return fmt::format("the guard was ended since it did not run for {:.2g} s", silence.seconds());
+  }
+  return "the guard was ended";
 }
 
 /// Waits at most this time [ns]. Returns true once the outputs are safe.
@@ -69,7 +120,7 @@ void end_stopped_loop(const Link& link, int process) {
 }
 
 /// Tries again while the loop has an exclusive device open.
-void set_safe_in_place_of_loop(Link& link, const GuardCall& call, int loop) {
+void set_safe_in_place_of_loop(Link& link, const GuardCall& call, int loop, const std::string& why) {
   const std::int64_t end = monotonic() + longest_tries;
   std::string failures = set_safe(call, limit_call);
   while (!failures.empty() && monotonic() < end) {
@@ -80,20 +131,19 @@ void set_safe_in_place_of_loop(Link& link, const GuardCall& call, int loop) {
   ::alarm(0);
   if (failures.empty()) {
     link.note_safe();
-    std::fputs("the guard was ended, and a third process has set all outputs to their safe values\n", stderr);
+    std::fprintf(stderr, "%s, and a third process has set all outputs to their safe values\n", why.c_str());
   } else {
-    std::fprintf(stderr, "the guard was ended, and outputs are not at their safe values: %s\n",
-                 failures.c_str());
+    std::fprintf(stderr, "%s, and outputs are not at their safe values: %s\n", why.c_str(), failures.c_str());
   }
 }
 
-[[noreturn]] void keep(Link& link, int guard, int loop) {
+[[noreturn]] void keep(Link& link, const Watched& watched) {
   ::prctl(PR_SET_NAME, "stepwire_keeper");
   const GuardCall call = guard_call(link.call());
   become_prompt(call.priority);
-  await_end(guard);
+  const std::string why = await_end(link, watched, call.limits.late);
   std::signal(SIGALRM, end_by_time);
-  if (!becomes_safe(link, call.limits.period / 2)) set_safe_in_place_of_loop(link, call, loop);
+  if (!becomes_safe(link, call.limits.period / 2)) set_safe_in_place_of_loop(link, call, watched.loop, why);
   ::_exit(0);
 }
 
@@ -102,11 +152,14 @@ void set_safe_in_place_of_loop(Link& link, const GuardCall& call, int loop) {
 pid_t start_keeper(Link& link) {
   std::array<int, 2> ends{-1, -1};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw io::EnvironmentError("the guard has no pipe");
-  const auto loop = static_cast<int>(::syscall(SYS_pidfd_open, link.loop(), 0));
+  const auto descriptor = [](pid_t process) {
+    return static_cast<int>(::syscall(SYS_pidfd_open, process, 0));
+  };
+  const Watched watched{descriptor(::getpid()), descriptor(link.loop()), ends[0]};
   const pid_t keeper = ::fork();
   if (keeper < 0) throw io::EnvironmentError("the guard cannot start its keeper");
   ::close(ends[keeper == 0 ? 1 : 0]);  // the guard holds the end to write until it ends
-  if (keeper == 0) keep(link, ends[0], loop);
+  if (keeper == 0) keep(link, watched);
   return keeper;
 }
 

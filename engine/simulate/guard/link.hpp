@@ -26,6 +26,13 @@ enum class GuardState : std::uint32_t {
 /// Request of a loop to its guard. `gone` comes in its place once the process of the loop has ended.
 enum class GuardRequest : std::uint32_t { start, command, rest, finish, gone };
 
+/// Values of the outputs, as the guard notes them for its keeper.
+enum class Outputs : std::uint32_t {
+  safe,     ///< the safe values, until the next command
+  live,     ///< those of the loop
+  becoming  ///< the safe values are being written
+};
+
 /// Numbers that one process writes and another one reads whole. `lock` is odd while they change. A writer
 /// that ends inside leaves it odd, and the reader keeps its values.
 class SharedNumbers {
@@ -77,6 +84,11 @@ class Link {
   void note_read(std::int64_t time) noexcept { head_->read_at.store(time, std::memory_order_release); }
   std::int64_t read_at() const { return head_->read_at.load(std::memory_order_acquire); }
 
+  void note_outputs(Outputs values) noexcept {
+    head_->values.store(static_cast<std::uint32_t>(values), std::memory_order_release);
+  }
+  Outputs outputs() const { return static_cast<Outputs>(head_->values.load(std::memory_order_acquire)); }
+
   /// Notes that the outputs are at their safe values for good, after the guard or in its place.
   void note_safe() noexcept { head_->safe.store(1); }
   bool is_safe() const { return head_->safe.load() != 0; }
@@ -90,7 +102,7 @@ class Link {
  private:
   struct Head {
     std::atomic<std::uint32_t> beats{0}, request{0}, state{0}, inputs_lock{0}, commands_lock{0}, asleep{0},
-        safe{0};
+        values{0}, safe{0};
     std::atomic<int> processor{-1};  // of the last beat
     std::atomic<std::int64_t> read_at{0};
     int loop = 0;

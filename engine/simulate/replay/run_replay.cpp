@@ -127,6 +127,12 @@ class Inputs {
     numbers_.resize(table_.columns.size());
   }
 
+  /// Returns the tick of the last row; -1 without rows, and the largest one for a diagram without inputs.
+  std::int64_t last_tick() const {
+    if (sizes_.empty()) return std::numeric_limits<std::int64_t>::max();
+    return cursor_.ticks.empty() ? -1 : cursor_.ticks.back();
+  }
+
   void write(run::Executor& simulation) {
     if (!cursor_.is_at(simulation.tick())) return;
     for (std::size_t i = 0; i < numbers_.size(); ++i) numbers_[i] = table_.columns[i].values[cursor_.row];
@@ -185,6 +191,14 @@ class LoopReplay : run::RunObserver {
     if (end == run::Drive::End::finished && simulation_.tick() == begun_) difference_ = compare();
     if (end == run::Drive::End::finished && difference_.empty()) difference_ = row_beyond();
     verification.difference = difference_;
+  }
+
+  /// Leaves out the rows after the last one of the inputs. Returns their number.
+  std::size_t leave_out_rows_without_inputs() {
+    std::size_t left_out = 0;
+    for (Cursor& cursor : cursors_)
+      left_out += std::erase_if(cursor.ticks, [&](std::int64_t tick) { return tick > inputs_.last_tick(); });
+    return left_out;
   }
 
   void count_rows(Verification& verification) const {
@@ -332,6 +346,7 @@ void replay_last_row(run::Executor& simulation, const std::vector<Recorded>& tab
 void replay_loop(const plan::Plan& plan, const std::vector<Recorded>& tables, const std::string& inputs_file,
                  const run::RunOptions& options, Verification& verification) {
   LoopReplay replay(plan, tables, inputs_file);
+  if (!verification.end_of_loop.empty()) verification.without_inputs = replay.leave_out_rows_without_inputs();
   replay.run(options, verification);
   replay.count_rows(verification);
 }

@@ -25,7 +25,8 @@ void replay_last_row(run::Executor& simulation, const std::vector<Recorded>& tab
 inline constexpr std::size_t first_signal_of_loop = 3;
 
 /// Steps a plan tick by tick with the recorded inputs, and compares the rows by their ticks. Adds the result
-/// to `verification`. Throws Error if ticks or inputs are not as a loop writes them.
+/// to `verification`. With an `end_of_loop` there, rows after the last one of the inputs are not compared.
+/// Throws Error if ticks or inputs are not as a loop writes them.
 void replay_loop(const plan::Plan& plan, const std::vector<Recorded>& tables, const std::string& inputs_file,
                  const run::RunOptions& options, Verification& verification);
 

@@ -285,8 +285,8 @@ class Verifier {
     const std::vector<Recorded> tables = read_tables(plan, first_signal_of_loop);
     result_.loop = true;
     if (!plan.diagram.inputs.empty()) require_file("inputs.csv");
-    replay_loop(plan, tables, path("inputs.csv"), options_, result_);
     result_.end_of_loop = end_of_loop();
+    replay_loop(plan, tables, path("inputs.csv"), options_, result_);
   }
 
   /// Returns what is known of rows after the last one.
@@ -409,18 +409,28 @@ Verification verify(const std::string& folder, const Registry& registry, const s
   return Verifier(folder, registry, interrupt, numbers).run();
 }
 
+/// Returns a clause about rows of a loop that are not compared; "" without any.
+static std::string without_inputs_text(std::size_t rows) {
+  if (rows == 0) return "";
+  return fmt::format("; the inputs of {} are missing in inputs.csv, and {} not compared",
+                     text::counted(rows, "row"), rows == 1 ? "it is" : "they are");
+}
+
 std::string verification_text(const Verification& verification) {
   if (!verification.difference.empty()) return verification.difference;
   const std::size_t rows = verification.rows, missing = verification.missing_rows;
   const bool early = missing > 0 && !verification.loop;
-  return fmt::format("{} signal{} in {}{} row{}{}: all bits agree{}{}{}", verification.signals,
+  const char* const agree =
+      rows == 0 && verification.without_inputs > 0 ? "nothing is compared" : "all bits agree";
+  return fmt::format("{} signal{} in {}{} row{}{}: {}{}{}{}{}", verification.signals,
                      plural(verification.signals), rows, early ? fmt::format(" of {}", rows + missing) : "",
                      plural(rows + (early ? missing : 0)),
-                     verification.runs > 1 ? fmt::format(" of {} runs", verification.runs) : "",
+                     verification.runs > 1 ? fmt::format(" of {} runs", verification.runs) : "", agree,
                      early ? "; the run ended early" : "",
                      missing > 0 && verification.loop
                          ? fmt::format("; {} row{} lost", missing, missing == 1 ? " is" : "s are")
                          : "",
+                     without_inputs_text(verification.without_inputs),
                      verification.end_of_loop.empty() ? "" : "; " + verification.end_of_loop);
 }
 

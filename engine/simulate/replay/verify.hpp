@@ -16,16 +16,17 @@ namespace stepwire::replay {
 
 /// Result of replaying a folder.
 struct Verification {
-  std::size_t signals = 0;       ///< Compared columns of all tables.
-  std::size_t rows = 0;          ///< Rows of all tables and runs.
-  std::size_t runs = 1;          ///< Runs of a sweep.
-  std::size_t missing_rows = 0;  ///< Rows of complete runs that are missing in the folder.
-  std::int64_t ticks = 0;        ///< Ticks after which the runs may have ended, by their rows.
-  std::string first_missing;     ///< Place and time of the first missing row; empty without one.
-  bool loop = false;             ///< True for a real-time loop, whose missing rows are lost ones.
-  std::string end_of_loop;       ///< What the folder tells of rows after the last one; empty without loss.
-  bool interrupted = false;      ///< True if the replay was interrupted.
-  std::string difference;        ///< First difference in time, with its place; empty without one.
+  std::size_t signals = 0;         ///< Compared columns of all tables.
+  std::size_t rows = 0;            ///< Rows of all tables and runs.
+  std::size_t runs = 1;            ///< Runs of a sweep.
+  std::size_t missing_rows = 0;    ///< Rows of complete runs that are missing in the folder.
+  std::int64_t ticks = 0;          ///< Ticks after which the runs may have ended, by their rows.
+  std::string first_missing;       ///< Place and time of the first missing row; empty without one.
+  bool loop = false;               ///< True for a real-time loop, whose missing rows are lost ones.
+  std::string end_of_loop;         ///< Clause on rows after the last one; empty without loss.
+  std::size_t without_inputs = 0;  ///< Rows of a loop that are not compared, since inputs.csv ends before.
+  bool interrupted = false;        ///< True if the replay was interrupted.
+  std::string difference;          ///< First difference in time, with its place; empty without one.
 };
 
 /// Reads the numbers that a sweep keeps of its runs from their entry of run.json, for the plan of its

@@ -113,6 +113,40 @@ TEST_CASE("a loop that is stopped together with its guard leaves the safe value 
   CHECK(processes_in(one.folder.path("")) == 0);
 }
 
+TEST_CASE("a loop and a guard that are both stopped leave the safe value at the rig, by the keeper") {
+  Guarded one("late: 1 s\n");
+  REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
+  const int guard = one.loop->child("stepwire_guard");
+  REQUIRE(guard > 0);
+  one.loop->send(SIGSTOP);
+  for (int i = 0; i < 5; ++i) one.rig.step(1.0);  // until all of its threads are stopped
+  ::kill(guard, SIGSTOP);
+  CHECK(one.rig.steps_until(safe, 3 * soon) <= 3 * soon);
+  for (int i = 0; i < 20; ++i) CHECK(one.rig.step(1.0) == safe);
+  CHECK_THAT(one.errors(), Contains("the guard was ended since it did not run for") &&
+                               Contains("a third process has set all outputs to their safe values"));
+  one.loop->send(SIGCONT);
+  CHECK(one.loop->end() == 3);
+  CHECK(processes_in(one.folder.path("")) == 0);
+}
+
+TEST_CASE("a guard that is stopped with its loop for less than its limit goes on") {
+  Guarded one("late: 20 s\n");
+  REQUIRE(one.rig.steps_until(wanted, 3000) <= 3000);
+  const int guard = one.loop->child("stepwire_guard");
+  REQUIRE(guard > 0);
+  one.loop->send(SIGSTOP);
+  for (int i = 0; i < 5; ++i) one.rig.step(1.0);  // until all of its threads are stopped
+  ::kill(guard, SIGSTOP);
+  for (int i = 0; i < 30; ++i) CHECK(one.rig.step(1.0) == wanted);
+  ::kill(guard, SIGCONT);
+  one.loop->send(SIGCONT);
+  for (int i = 0; i < 30; ++i) CHECK(one.rig.step(1.0) == wanted);
+  one.loop->send(SIGINT);
+  CHECK(one.loop->end() == 130);
+  CHECK(one.errors().empty());
+}
+
 TEST_CASE("a loop that only writes ends once the host of its memory has ended") {
   Guarded one("late: 100 ms\n");
   one.folder.file("rig.yaml", "devices: {rig: {driver: shared, name: " + Guarded::name() +

@@ -177,6 +177,20 @@ TEST_CASE("a compiler, gnuplot or node that hangs is ended after a limit, and th
   }
 }
 
+TEST_CASE("a loop that is interrupted before it begins ends with 130") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  for (const double after : {0.15, 0.2, 0.3}) {
+    Call call;
+    call.arguments = {"loop", "lag.yaml", "--rate", "100", "--duration", "60", "--policy", "other"};
+    call.interrupt_after = after;
+    call.signals = {SIGTERM};
+    const Done done = run_program(folder, call);
+    INFO(after << ": " << done.err);
+    CHECK(done.code == 130);
+  }
+}
+
 TEST_CASE("a loop ends with its recording written, however many signals come", "[full]") {
   for (const std::vector<int>& signals :
        {std::vector<int>{SIGHUP}, {SIGTERM}, {SIGINT, SIGINT}, {SIGTERM, SIGINT, SIGHUP, SIGINT}}) {

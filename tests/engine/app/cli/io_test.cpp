@@ -245,6 +245,78 @@ outputs: {current: {device: card, channel: drive, scale: 4 V/A, limits: [0 A, 2 
   }
 }
 
+TEST_CASE("an output that io moves keeps its rate where io has lost its processor") {
+  const Scratch folder;
+  const std::string name = "stepwire-test-" + std::to_string(::getpid());
+  stepwire::RigHost rig(name);
+  folder.file("rig.yaml", "devices: {rig: {driver: shared, name: " + name +
+                              "}}\noutputs: {current: {device: rig, channel: current, limits: [0 A, 0.5 A], "
+                              "rate: 0.25 A/s, safe: 0 A}}\nlate: 10 s\n");
+  stepwire::Beside io(STEPWIRE_PROGRAM, {"io", "rig.yaml", "--set", "current=0.5A", "--duration", "20"},
+                      folder.path(""));
+  double current = rig.step(1.0);
+  for (int look = 0; look < 3000 && !(current > 0.0); ++look) current = rig.step(1.0);
+  REQUIRE(current > 0.0);
+  for (int pause = 0; pause < 3; ++pause) {
+    io.send(SIGSTOP);
+    ::usleep(1'500'000);
+    io.send(SIGCONT);
+    ::usleep(100'000);
+  }
+  CHECK(rig.steps_until(0.5, 1500) <= 1500);
+  io.send(SIGINT);
+  CHECK(io.end() == 0);
+  CHECK(content_of(folder.path(".err")).empty());
+}
+
+TEST_CASE("a record on a full disk ends io and loop with 3") {
+  const Scratch folder;
+  folder.file("in.csv", "time [s],volt [V]\n0,1\n9,1\n");
+  folder.file("a.yaml", follow_yaml);
+  std::string rig = rig_yaml.substr(0, rig_yaml.find("guard")) + "late: 1 s\n";
+  rig.replace(rig.find("out.csv"), 7, "/dev/full");
+  for (const std::string guard : {"true", "false"}) {
+    folder.file("rig.yaml", rig + "guard: " + guard + "\n");
+    for (const std::vector<std::string>& call :
+         {std::vector<std::string>{"io", "rig.yaml", "--set", "current=1A", "--duration", "0.2"},
+          {"loop", "a.yaml", "--io", "rig.yaml", "--rate", "100", "--duration", "0.2", "--policy",
+           "other"}}) {
+      const Done done = run_program(folder, call);
+      INFO(done.err << done.out);
+      CHECK(done.code == 3);
+      CHECK_THAT(done.err, Contains("card: the record /dev/full has 0 of ") &&
+                               Contains(" rows: No space left on device"));
+      CHECK_THAT(done.out, Contains("card: ") && Contains(" reads, "));
+    }
+  }
+}
+
+TEST_CASE("a record that a full disk has cut has whole rows, and their number is told") {
+  const Scratch folder;
+  folder.file("in.csv", "time [s],volt [V]\n0,1\n9,1\n");
+  std::string names;
+  for (int i = 0; i < 100; ++i) names += ", drive" + std::to_string(i);
+  folder.file("rig.yaml",
+              "devices:\n  card: {driver: file, pace: reads, play: in.csv, record: out.csv, "
+              "outputs: [drive in A" +
+                  names +
+                  "]}\noutputs: {current: {device: card, channel: "
+                  "drive, limits: [0 A, 2 A]}}\nguard: false\n");
+  Call call;
+  call.arguments = {"io", "rig.yaml", "--set", "current=1A", "--duration", "2"};
+  call.max_bytes_of_file = 16'000;
+  const Done done = run_program(folder, call);
+  INFO(done.err << done.out);
+  CHECK(done.code == 3);
+  const std::string record = content_of(folder.path("out.csv"));
+  CHECK_THAT(record, Catch::StartsWith("time [s],drive [A],drive0,") && Catch::EndsWith("\n"));
+  const auto rows = lines_of(record).size() - 1;
+  CHECK(rows > 3);
+  CHECK(stepwire::table::read_csv(folder.path("out.csv")).rows() == rows);
+  CHECK_THAT(done.err, Contains("card: the record out.csv has " + std::to_string(rows) + " of ") &&
+                           Contains(" rows: File too large"));
+}
+
 TEST_CASE("an angle is shown in rad, a pure number without a unit, and a missing record with its path") {
   const Scratch folder;
   folder.file("in.csv", "time [s],turn [deg],knob\n0,180,0.5\n9,180,0.5\n");

@@ -53,10 +53,30 @@ TEST_CASE("rows that a full disk has refused are told, and a loop without an end
   LoopFolder folder;
   folder.write("out/loop.json", R"({"rows": {"written": 4, "lost_to_disk": 7}})");
   CHECK(verdict_of(folder, "out") ==
-        "3 signals in 4 rows: all bits agree; 3 rows are lost; the disk refused 7 rows after these");
+        "3 signals in 3 rows: all bits agree; 1 row is lost; the inputs of 1 row are missing in inputs.csv, "
+        "and "
+        "it is not compared; the disk refused 7 rows after these");
   std::filesystem::remove(folder.path("out/loop.json"));
   CHECK_THAT(verdict_of(folder, "out"), Catch::Contains("; there is no loop.json: the loop has not come to "
                                                         "its end or its disk was full"));
+}
+
+TEST_CASE("rows of a loop without an end are compared up to its last input, and the others are counted") {
+  LoopFolder folder;
+  std::filesystem::remove(folder.path("out/loop.json"));
+  CHECK_THAT(folder.verdict_with("signals.csv", "3,6,3.1,12", "3,6,3.1,15"),
+             Catch::StartsWith("3 signals in 3 rows: all bits agree; 1 row is lost; the inputs of 1 row are "
+                               "missing in inputs.csv, and it is not compared; there is no loop.json"));
+  CHECK(folder.verdict_with("signals.csv", "1.6,12", "1.6,13") ==
+        "signals.csv:4: total at 1.5 s is 13 and 12 when it is replayed");
+  folder.write("out/inputs.csv", "time [s],tick,pair.1,pair.2,push [N]\n");
+  folder.write("out/signals.csv", signals);
+  CHECK_THAT(verdict_of(folder, "out"),
+             Catch::StartsWith("3 signals in 0 rows: nothing is compared; the inputs of 4 rows are missing"));
+  folder.write("out/loop.json", R"({"rows": {"written": 4, "lost_to_disk": 7}})");
+  folder.write("out/inputs.csv", inputs);
+  CHECK_THAT(folder.verdict_with("signals.csv", "3,6,3.1,12", "3,6,3.1,15"),
+             Catch::Contains("the inputs of 1 row are missing in inputs.csv"));
 }
 
 TEST_CASE("a number of a loop that differs is named") {
