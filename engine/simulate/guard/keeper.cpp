@@ -25,12 +25,13 @@ namespace stepwire::guard {
 
 namespace {
 
-constexpr unsigned longest_open = 10, longest_call = 2;  // of open and start, of another call of a driver [s]
-constexpr int look_time = 20;                            // between two looks at the guard [ms]
-constexpr std::int64_t beyond_late = 100'000'000;        // of a live guard without a read [ns]
-constexpr std::int64_t longest_safe = 2'500'000'000;     // of a driver's safe in the guard [ns]
-constexpr std::int64_t between_tries = 1'000'000;        // between two tries [ns]
-constexpr std::int64_t longest_tries = 10'000'000'000;   // [ns]
+constexpr unsigned longest_open = 10;              // Limit of open and start [s].
+constexpr unsigned longest_call = 2;               // Limit of another call of a driver [s].
+constexpr int look_time = 20;                      // Time between two looks at the guard [ms].
+constexpr std::int64_t beyond_late = 100'000'000;  // Time of a live guard without a read, beyond `late` [ns].
+constexpr std::int64_t longest_safe = 2'500'000'000;    // of a driver's safe in the guard [ns]
+constexpr std::int64_t between_tries = 1'000'000;       // between two tries [ns]
+constexpr std::int64_t longest_tries = 10'000'000'000;  // [ns]
 
 std::array<char, 256> late_text{};  // for the signal handler
 

@@ -52,13 +52,14 @@ blocks:
 record: [x]
 )");
   CHECK(last(run, "x") == Approx(-0.5).epsilon(1e-12));
-  const std::pair<const char*, double> orders[] = {
-      {"heun", 2.0}, {"bogacki_shampine", 3.0}, {"rk4", 4.0}, {"dormand_prince", 5.0}};
+  const std::pair<const char*, double> orders[] = {{"heun", 2.0}, {"bogacki_shampine", 3.0}, {"rk4", 4.0}};
   for (const auto& [solver, order] : orders) {
     INFO(solver);
     const double coarse = error_by_steps(solver, 0.05), fine = error_by_steps(solver, 0.025);
-    CHECK(std::log2(coarse / fine) > order - 0.45);
+    CHECK(std::log2(coarse / fine) > order - 0.4);
   }
+  // Its errors are smaller, so its steps are longer.
+  CHECK(std::log2(error_by_steps("dormand_prince", 0.1) / error_by_steps("dormand_prince", 0.05)) > 4.6);
 }
 
 TEST_CASE("a smooth signal is delayed by any time, to the fifth order of the step") {
