@@ -107,15 +107,16 @@ std::vector<Result> measure(codegen::GeneratedCode& source, Workload of) {
 
 std::vector<Result> measure_lanes() {
   const Registry registry = blocks();
-  const auto figure_14 = [&] {
-    return plan::make_plan(
-        diagram::Loader(registry).load(STEPWIRE_BENCH_DIR "/../diagrams/thesis/fig14-controller-1d.yaml"));
+  const auto plan_of = [&](const std::string& file) {
+    return plan::make_plan(diagram::Loader(registry).load(STEPWIRE_BENCH_DIR "/" + file));
   };
   codegen::GeneratedCode source{run::code_trial()};
   std::vector<Result> results;
   for (auto&& workload : {Workload{"W1", w1_plan(), "gA.gain", 36.0, ""},
                           Workload{"W2 100", w2_plan(100, static_cast<int>(ticks)), "g0.gain", 1.0, ""},
-                          Workload{"figure 14", figure_14(), "hand.gain", 2000.0, "N/m"}})
+                          Workload{"formulas", plan_of("formulas.yaml"), "scaled.gain", 1.0, ""},
+                          Workload{"figure 14", plan_of("../diagrams/thesis/fig14-controller-1d.yaml"),
+                                   "hand.gain", 2000.0, "N/m"}})
     for (const Result& result : measure(source, workload)) results.push_back(result);
   return results;
 }

@@ -145,6 +145,7 @@ Index most_transitions(const std::vector<ChartState>& states) {
 
 }  // namespace
 
+template <>
 void StateMachine::declare(Declare<StateMachine>& is) {
   is.block(
       "StateMachine",
@@ -232,6 +233,7 @@ void StateMachine::declare(Declare<StateMachine>& is) {
   is.derived<&StateMachine::sets>();
 }
 
+template <>
 void StateMachine::configure(Configure& is) {
   const auto inputs = static_cast<std::size_t>(is.count<&StateMachine::u>());
   check_inputs(*this, inputs, is);

@@ -12,7 +12,8 @@ namespace stepwire {
 
 /// Finite state machine: nested states with output values, counters that they set, and transitions with
 /// guards.
-struct StateMachine {
+template <class Function>
+struct StateMachineOf {
   static constexpr Index max_inputs = 64, max_counters = 32, max_depth = 8, max_states = 256;
 
   Tree states, counters;
@@ -100,7 +101,7 @@ struct StateMachine {
     moved_at = acted_at = seen_at = -1.0;
   }
   void configure(Configure& is);
-  static void declare(Declare<StateMachine>& is);
+  static void declare(Declare<StateMachineOf>& is);
 
  private:
   /// State of the machine at an instant, before or after its transition.
@@ -241,5 +242,7 @@ struct StateMachine {
   Period period{};
   Time time{};
 };
+
+using StateMachine = StateMachineOf<Function>;
 
 }  // namespace stepwire

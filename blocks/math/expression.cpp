@@ -108,6 +108,7 @@ void read_formula(ExpressionBlock& block, Index inputs, Configure& is) {
 
 }  // namespace
 
+template <>
 void ExpressionBlock::configure(Configure& is) {
   const Index inputs = is.count<&ExpressionBlock::u>();
   if (inputs > max_inputs)
@@ -142,6 +143,7 @@ void declare_block(Declare<ExpressionBlock>& is) {
 
 }  // namespace
 
+template <>
 void ExpressionBlock::declare(Declare<ExpressionBlock>& is) {
   declare_block(is);
   is.parameter<&ExpressionBlock::expression>(

@@ -10,7 +10,8 @@
 namespace stepwire {
 
 /// Formula of its inputs, element by element: y = expression(u1, u2, ...).
-struct ExpressionBlock {
+template <class Function>
+struct ExpressionOf {
   static constexpr Index max_inputs = 64;
   static constexpr Index max_conditions = 4;  ///< located conditions; others act at ticks
   using Functions = std::array<Function, static_cast<std::size_t>(max_conditions)>;
@@ -42,21 +43,23 @@ struct ExpressionBlock {
   }
 
   void configure(Configure& is);
-  static void declare(Declare<ExpressionBlock>& is);
+  static void declare(Declare<ExpressionOf>& is);
 
  private:
   Index mode_count() const { return modes.size() / y.size(); }
   double value_of(const Function& function, Index k) const {
     double values[max_inputs];
-    for (Index i = 0; i < u.count(); ++i) values[i] = u[i][k];
+    u.gather(k, values);
     return function(values);
   }
   double held_value(Index k) const {
     double values[max_inputs + max_conditions];
-    for (Index i = 0; i < u.count(); ++i) values[i] = u[i][k];
+    u.gather(k, values);
     for (Index m = 0; m < mode_count(); ++m) values[max_inputs + m] = modes[m * y.size() + k];
     return held(values);
   }
 };
+
+using ExpressionBlock = ExpressionOf<Function>;
 
 }  // namespace stepwire

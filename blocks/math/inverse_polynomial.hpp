@@ -22,6 +22,7 @@ struct InversePolynomial {
   /// Returns the value; coefficients are in descending order.
   double value(double x) const {
     double sum = 0.0;
+    STEPWIRE_UNROLLED
     for (Index i = 0; i < coefficients.size(); ++i) sum = sum * x + coefficients[i];
     return sum;
   }
@@ -54,6 +55,7 @@ struct InversePolynomial {
 
   Expansion expansion(double x) const {
     Expansion at;
+    STEPWIRE_UNROLLED
     for (Index i = 0; i < coefficients.size(); ++i) {
       at.curve = at.curve * x + at.slope;
       at.slope = at.slope * x + at.value;

@@ -23,7 +23,8 @@ struct DrivenLinkage : LinkageCore {
   template <Index n>
   void write_outputs(Dimension<n> dimension) {
     double energy = energy_of_pin(dimension, velocity);
-    Balance<n> now = begin_balance(dimension);
+    Balance<n> now;
+    add_pin(now);
     for (Index k = 0; k < links(); ++k) {
       const Link<n> is = link(dimension, k, position, velocity);
       write_link(k, is, energy);

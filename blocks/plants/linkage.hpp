@@ -34,7 +34,8 @@ struct Linkage : LinkageCore {
  private:
   template <Index n>
   void write_acceleration(Dimension<n> dimension) {
-    Balance<n> now = begin_balance(dimension);
+    Balance<n> now;  // never returned from a function: lanes have no vector of whole structures
+    add_pin(now);
     for (Index k = 0; k < links(); ++k) add_link(k, link(dimension, k, position_, velocity_), now);
     for (Index i = 0; external.connected() && i < n; ++i) at(now.load, i) += external[i];
     solve(now);

@@ -106,12 +106,10 @@ struct LinkageCore {
     energy = energy + 0.5 * (rod_mass[k] * now.rate * now.rate + now.mass * now.turning);
   }
 
-  /// Returns the equations of the pin without links.
+  /// Adds the pin's own mass to its equations.
   template <Index n>
-  Balance<n> begin_balance(Dimension<n>) const {
-    Balance<n> sum;
-    unrolled<n>([&](Index i) { at(row(sum, i), i) = pin_mass; });
-    return sum;
+  void add_pin(Balance<n>& sum) const {
+    unrolled<n>([&](Index i) { at(row(sum, i), i) += pin_mass; });
   }
 
   /// Adds a link's part of M, its force, and minus its part of h; no effect for a link of length 0.

@@ -43,6 +43,7 @@ struct MRDamperCore {
   /// Evaluates a polynomial with descending coefficients.
   static double polynomial(const Numbers& coefficients, double i) {
     double sum = 0.0;
+    STEPWIRE_UNROLLED
     for (Index k = 0; k < coefficients.size(); ++k) sum = sum * i + coefficients[k];
     return sum;
   }

@@ -11,7 +11,9 @@ struct Mux {
 
   void outputs() {
     Index next = 0;
+    STEPWIRE_UNROLLED
     for (Index i = 0; i < u.count(); ++i) {
+      STEPWIRE_UNROLLED
       for (Index k = 0; k < u[i].size; ++k) y[next++] = u[i][k];
     }
   }

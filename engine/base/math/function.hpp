@@ -6,8 +6,9 @@
 
 namespace stepwire {
 
-/// A number computed from the numbers v[0], v[1], ..., as blocks use it. In generated programs it is C++ code
-/// that the compiler inlines; in the interpreter a Source evaluates it.
+/// A number computed from the numbers v[0], v[1], ..., as blocks use it. In the interpreter a Source evaluates
+/// it. A block whose struct is a template over this type has a type of its own in generated code, which the
+/// compiler inlines; in other blocks the code is behind a pointer.
 class Function {
  public:
   using Code = double (*)(const double* v);

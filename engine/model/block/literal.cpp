@@ -4,6 +4,13 @@
 
 namespace stepwire {
 
+std::string LiteralWriter::function(const std::string& expression) {
+  if (expression.empty()) return "Function()";
+  const bool reads = expression.find("v[") != std::string::npos;  // an unused name would cause a warning
+  return fmt::format("Function([](const double*{}) -> double {{ return {}; }})", reads ? " v" : "",
+                     expression);
+}
+
 std::string Literal<Numbers>::text(const Numbers& value, LiteralWriter& writer) {
   if (value.empty()) return "Numbers()";
   if (value.size() == 1) return fmt::format("Numbers(1, {})", writer.number(value[0]));
@@ -24,11 +31,8 @@ std::string Literal<Matrix>::text(const Matrix& value, LiteralWriter& writer) {
   return fmt::format("Matrix({}, {}, {})", rows, columns, Literal<Numbers>::text(value.elements(), writer));
 }
 
-std::string Literal<Function>::text(const Function& value, LiteralWriter&) {
-  if (!value.source()) return "Function()";
-  const std::string code = value.source()->cpp();
-  const bool reads = code.find("v[") != std::string::npos;  // an unused parameter name would cause a warning
-  return fmt::format("Function([](const double*{}) -> double {{ return {}; }})", reads ? " v" : "", code);
+std::string Literal<Function>::text(const Function& value, LiteralWriter& writer) {
+  return writer.function(value.source() ? value.source()->cpp() : "");
 }
 
 std::string Literal<Rational>::text(const Rational& value, LiteralWriter& writer) {

@@ -36,6 +36,8 @@ class LiteralWriter {
   /// Returns a whole number, such as a seed or a count.
   virtual std::string whole(std::int64_t value) = 0;
   virtual std::string natural(std::uint64_t value) = 0;
+  /// Returns a function whose value is this C++ expression over v, a double or a bool; 0 for an empty one.
+  virtual std::string function(const std::string& expression);
 };
 
 /// Writer of a member of type T as a C++ expression that can be assigned to it. Types of a block have a
@@ -83,7 +85,6 @@ template <>
 struct Literal<Matrix> {
   static std::string text(const Matrix& value, LiteralWriter& writer);
 };
-/// Writes the function's code as a lambda at the assignment.
 template <>
 struct Literal<Function> {
   static std::string text(const Function& value, LiteralWriter& writer);

@@ -10,6 +10,14 @@
 #define STEPWIRE_RARE [[gnu::noinline]]
 #endif
 
+// Marks a short loop, over the inputs of a list for example. In generated code its count is a constant,
+// and it is written out: a loop over lanes is not vectorised around other loops.
+#if defined(STEPWIRE_GENERATED) && !defined(__clang__)
+#define STEPWIRE_UNROLLED _Pragma("GCC unroll 64")
+#else
+#define STEPWIRE_UNROLLED
+#endif
+
 namespace stepwire {
 
 /// Type of element indices and counts; the same as Eigen's.

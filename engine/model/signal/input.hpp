@@ -62,6 +62,11 @@ class Inputs {
 
   Index count() const { return count_; }
   const Element& operator[](Index input) const { return elements_[input]; }
+  /// Copies element k of each input.
+  void gather(Index k, double* values) const {
+    STEPWIRE_UNROLLED
+    for (Index i = 0; i < count_; ++i) values[i] = elements_[i][k];
+  }
   /// Returns the first element of an input; the whole input where the output is scalar.
   double first(Index input) const {
     return __builtin_constant_p(input) && input < 2 ? *few_[input] : *elements_[input].data_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/base/hash/hash.hpp"
+#include "engine/model/plan/run_ends.hpp"
 #include "engine/simulate/codegen/between_ticks.hpp"
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/names.hpp"
@@ -36,9 +37,9 @@ const char* const parameter_members =
     "they hold. Until\n  /// they are right the former ones hold.\n"
     "  const char* parameter_fault() const { return parameter_fault_; }\n\n";
 
-/// Returns the member function for the time of a stop between two ticks, in plans with a located `stop_when`.
+/// Returns the member function for the time of a stop between two ticks, in plans that may have one.
 std::string stopped_time(const plan::Plan& plan) {
-  if (!plan.stop_crossing) return "";
+  if (!plan::may_end_between(plan)) return "";
   return fmt::format("w_[{}] != 0.0 ? w_[{}] : ", plan.layout.events + solve::EventReport::stopped,
                      plan::Layout::time);
 }

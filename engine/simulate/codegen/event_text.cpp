@@ -6,6 +6,7 @@
 
 #include "engine/base/expression/margin.hpp"
 #include "engine/model/plan/active.hpp"
+#include "engine/model/plan/run_ends.hpp"
 #include "engine/model/plan/tear_places.hpp"
 #include "engine/simulate/codegen/guard_text.hpp"
 #include "engine/simulate/codegen/solver_text.hpp"
@@ -100,6 +101,16 @@ std::string guesses_text(const plan::Plan& plan) {
   return tears == 0 ? "solve::LoopGuesses{}" : fmt::format("solve::LoopGuesses{{all_tears, {}}}", tears);
 }
 
+/// Returns the condition that ends the run at an event.
+std::string ends_text(const plan::Plan& plan) {
+  std::string text = plan.stop_crossing
+                         ? "(" + plan.diagram.stop_when->expression.cpp_condition(stop_variables(plan)) + ")"
+                         : "false";
+  for (const std::size_t place : plan::places_of_ends(plan, true))
+    text += fmt::format(" || w[{}] == w[at::time]", place);
+  return text;
+}
+
 std::string follow_time_text(const plan::Plan& plan) {
   return plan.timed.empty() ? "" : "  follow_time(w, numbers);\n";
 }
@@ -138,21 +149,18 @@ std::string between_text(const plan::Plan& plan, const PlaceNames& names) {
   const bool guards = !plan.event_befores.empty();
   const bool moves = layout.state_count > 0;
   return tears_text(plan) +
-         fmt::format(
-             locate_form, layout.state_count, plan.crossing_count, layout.signals, numbers_at_events(plan),
-             layout.events, plan.jumps, events.max_per_step, events.rounds,
-             moves ? solver_text(plan, {false, false, in_place}) : "", follow_time_text(plan), layout.report,
-             solve::StepReport::count, moves ? fmt::format("    {};\n", in_place) : "",
-             guards ? "    event_befores(w, numbers, tick);\n" : "", guards ? keep_text(names, plan) : "",
-             plan.stop_crossing ? plan.diagram.stop_when->expression.cpp_condition(stop_variables(plan))
-                                : "false",
-             events.looks,
-             watches(plan)
-                 ? fmt::format(watched_form, solver_text(plan, {false, false, in_place, {}, "stops"}))
-                 : "",
-             events.looks_always(),
-             plan.left_updates.empty() ? "" : "    before_instant(w, numbers, tick, w[at::time]);\n",
-             guesses_text(plan), layout.report + solve::ControlReport::next, control_count(plan));
+         fmt::format(locate_form, layout.state_count, plan.crossing_count, layout.signals,
+                     numbers_at_events(plan), layout.events, plan.jumps, events.max_per_step, events.rounds,
+                     moves ? solver_text(plan, {false, false, in_place}) : "", follow_time_text(plan),
+                     layout.report, solve::StepReport::count, moves ? fmt::format("    {};\n", in_place) : "",
+                     guards ? "    event_befores(w, numbers, tick);\n" : "",
+                     guards ? keep_text(names, plan) : "", ends_text(plan), events.looks,
+                     watches(plan)
+                         ? fmt::format(watched_form, solver_text(plan, {false, false, in_place, {}, "stops"}))
+                         : "",
+                     events.looks_always(),
+                     plan.left_updates.empty() ? "" : "    before_instant(w, numbers, tick, w[at::time]);\n",
+                     guesses_text(plan), layout.report + solve::ControlReport::next, control_count(plan));
 }
 
 }  // namespace

@@ -63,23 +63,6 @@ ProgramFunctions open_library(const std::string& bytes, std::string& problem) {
   return functions;
 }
 
-/// Returns the flags of a program, without its include folders. In lanes the vector width is the number of
-/// lanes.
-std::vector<std::string> flags_of(const GeneratedProgram& program) {
-  std::vector<std::string> flags = flags_for_this_machine(program.headers);
-  std::ranges::copy(library_flags(), std::back_inserter(flags));
-  if (program.lanes == 1) return flags;
-  flags.push_back("-fopenmp-simd");
-  // A loop over lanes is vectorised only if all its calls are inlined, of any size.
-  for (const char* limit :
-       {"max-inline-insns-single", "large-function-growth", "large-stack-frame-growth", "inline-unit-growth"})
-    flags.push_back(fmt::format("--param={}=100000", limit));
-  // Copies in pieces narrower than a register stall the next read of that register.
-  flags.insert(flags.end(), {"-ftree-pta", "-ftree-slp-vectorize", "-fno-tree-loop-distribute-patterns"});
-  flags.push_back(fmt::format("-mprefer-vector-width={}", 64 * program.lanes));
-  return flags;
-}
-
 std::string key(const std::string& source, const GeneratedProgram& program, const Compiler& compiler) {
   hash::Hash hash;
   hash.add(source);
@@ -119,6 +102,21 @@ void* load_library(const std::string& bytes, std::string& problem) {
 
 std::vector<std::string> library_flags() {
   return {"-fvisibility=hidden", "-fvisibility-inlines-hidden", "-Wl,-Bsymbolic"};
+}
+
+std::vector<std::string> flags_of(const GeneratedProgram& program) {
+  std::vector<std::string> flags = flags_for_this_machine(program.headers);
+  std::ranges::copy(library_flags(), std::back_inserter(flags));
+  if (program.lanes == 1) return flags;
+  flags.push_back("-fopenmp-simd");
+  // A loop over lanes is vectorised only if all its calls are inlined, of any size.
+  for (const char* limit :
+       {"max-inline-insns-single", "large-function-growth", "large-stack-frame-growth", "inline-unit-growth"})
+    flags.push_back(fmt::format("--param={}=100000", limit));
+  // Copies in pieces narrower than a register stall the next read of that register.
+  flags.insert(flags.end(), {"-ftree-pta", "-ftree-slp-vectorize", "-fno-tree-loop-distribute-patterns"});
+  flags.push_back(fmt::format("-mprefer-vector-width={}", 64 * program.lanes));
+  return flags;
 }
 
 std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& headers) {

@@ -24,6 +24,10 @@ void* load_library(const std::string& bytes, std::string& problem);
 /// names, of libraries such as Eigen, that are compiled for another processor.
 std::vector<std::string> library_flags();
 
+/// Returns the flags of a program, without its include folders. In lanes the vector width is the number of
+/// lanes.
+std::vector<std::string> flags_of(const GeneratedProgram& program);
+
 /// Returns the beginning of a library's source: its headers. The namespace of the blocks is renamed, because
 /// classes have fewer members in generated code, depending on the number of lanes. A name must not denote two
 /// classes in one process. The elementary functions are those of the C library, or those of SLEEF.

@@ -3,6 +3,7 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stepwire::codegen {
@@ -59,6 +60,28 @@ std::string Literals::numbers(const double* values, Index size) {
   }
   tables_ += "};\n";
   return "table::" + name;
+}
+
+std::string Literals::function(const std::string& expression) {
+  if (!gathered_) return LiteralWriter::function(expression);
+  if (expression.empty()) return "Code{}";
+  const auto which = std::ranges::find(*gathered_, expression) - gathered_->begin();
+  if (which == std::ssize(*gathered_)) gathered_->push_back(expression);
+  return fmt::format("Code{{{}}}", which);
+}
+
+std::string Literals::end_functions(const std::string& name) {
+  const auto [type, is_new] = types_.try_emplace(std::move(*gathered_), name);
+  gathered_.reset();
+  if (!is_new) return type->second;
+  functions_ += fmt::format(
+      "struct {} {{\n  int which = -1;  // of the formulas; -1: always 0\n"
+      "  double operator()([[maybe_unused]] const double* v) const {{\n    switch (which) {{\n",
+      name);
+  for (std::size_t i = 0; i < type->first.size(); ++i)
+    functions_ += fmt::format("      case {}:\n        return {};\n", i, type->first[i]);
+  functions_ += "      default:\n        return 0.0;\n    }\n  }\n};\n";
+  return name;
 }
 
 }  // namespace stepwire::codegen

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -30,6 +32,8 @@ class Literals : public LiteralWriter {
   std::string numbers(const double* values, Index size) override;
   std::string whole(std::int64_t value) override;
   std::string natural(std::uint64_t value) override;
+  /// Between begin_functions() and end_functions(): "Code{2}", whose type has the functions of one block.
+  std::string function(const std::string& expression) override;
 
   /// Returns the count of variable numbers that have been written.
   std::size_t varied() const { return count_; }
@@ -38,6 +42,13 @@ class Literals : public LiteralWriter {
   void name_tables(std::string name) { name_ = std::move(name); }
   /// Returns the definitions of all tables so far.
   std::string tables() const { return tables_; }
+
+  /// Gathers the functions of a block from here on.
+  void begin_functions() { gathered_.emplace(); }
+  /// Returns the name of the type that has the gathered functions: `name`, or that of an equal earlier one.
+  std::string end_functions(const std::string& name);
+  /// Returns the definitions of all types of functions so far.
+  std::string functions() const { return functions_; }
 
  private:
   /// Returns "numbers[i]", with the name of the table.
@@ -53,6 +64,9 @@ class Literals : public LiteralWriter {
   std::string tables_;
   std::string name_;
   std::set<std::string> names_;  ///< names of tables
+  std::optional<std::vector<std::string>> gathered_;
+  std::map<std::vector<std::string>, std::string> types_;  ///< names by their functions
+  std::string functions_;
 };
 
 /// Returns a double as C++ that reads back to the same bits: "5.0", "-unlimited".

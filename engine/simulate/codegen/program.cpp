@@ -6,6 +6,7 @@
 #include <map>
 
 #include "engine/model/diagram/external_input.hpp"
+#include "engine/model/plan/run_ends.hpp"
 #include "engine/simulate/codegen/between_ticks.hpp"
 #include "engine/simulate/codegen/event_text.hpp"
 #include "engine/simulate/codegen/guard_text.hpp"
@@ -301,7 +302,7 @@ class Maker {
 
   /// Returns the statement that keeps a run ended after a stop between two ticks.
   std::string stop_guard() const {
-    if (!plan_.stop_crossing) return "";
+    if (!plan::may_end_between(plan_)) return "";
     return fmt::format("  if (w[{}] != 0.0) return;\n", plan_.layout.events + solve::EventReport::stopped);
   }
   std::string ahead_place() const { return std::to_string(plan_.layout.events + solve::EventReport::ahead); }

@@ -10,6 +10,7 @@
 
 #include "engine/base/table/table_file.hpp"
 #include "engine/model/plan/plan.hpp"
+#include "engine/model/plan/run_ends.hpp"
 #include "engine/simulate/codegen/compiler.hpp"
 #include "engine/simulate/codegen/diagram_struct.hpp"
 #include "engine/simulate/codegen/groups.hpp"
@@ -269,7 +270,7 @@ const char* const table_functions = R"cpp(
   }
 )cpp";
 
-/// Placeholders: opening of files, rows of a tick, last tick, check of loops.
+/// Placeholders: opening of files, rows of a tick, last tick, check of loops, rows of a fault between ticks.
 constexpr char main_form[] =
     "}}  // namespace\n\n"
     "/// Runs the diagram to its stop; what it records goes into the folder that is named, "
@@ -288,7 +289,7 @@ constexpr char main_form[] =
     "    if (!d.finite()) fault = \"a signal is no longer a finite number\";\n{3}    if (fault) "
     "break;\n    const bool last = d.tick >= {2} || d.stops();\n{1}"
     "    last ? d.look_at_end() : d.advance();\n"
-    "    fault = d.fault();\n    if (last || fault) break;\n  }}\n  finish();\n"
+    "    fault = d.fault();\n{4}    if (last || fault) break;\n  }}\n  finish();\n"
     "  if (!fault) return 0;\n"
     "  std::fprintf(stderr, \"%s (at %g s); the run ends here\\n\", fault, d.time());\n  "
     "return 2;\n}}\n";
@@ -341,8 +342,14 @@ std::string main_text(const plan::Plan& plan, const std::string& header, const s
                 ? fmt::format("    write_row_{0}(file_{0}, d);\n", i)
                 : fmt::format("    if (d.tick % {1} == 0 || last) write_row_{0}(file_{0}, d);\n", i, every);
   }
+  const std::string end = plan::may_end_between(plan)
+                              ? fmt::format(
+                                    "    if (fault && d.time() < {}) {{\n    d.evaluate();\n    const bool "
+                                    "last = true;\n{}    }}\n",
+                                    time_text(plan, "d.tick"), rows)
+                              : "";
   return text + fmt::format(main_form, opening, rows, plan.steps,
-                            plan.loops.empty() ? "" : "    if (!fault) fault = d.unsolved();\n");
+                            plan.loops.empty() ? "" : "    if (!fault) fault = d.unsolved();\n", end);
 }
 
 namespace fs = std::filesystem;

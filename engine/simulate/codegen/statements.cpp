@@ -37,17 +37,20 @@ const char* function_of(Phase phase) {
   }
 }
 
-std::string struct_of(const plan::Plan& plan, std::size_t block) {
-  const std::string& name = plan.diagram.blocks[block].type().struct_name;
-  return name.starts_with("stepwire::") ? name.substr(10) : name;
-}
-
 namespace {
+
+constexpr std::string_view over_functions = "<stepwire::Function>";
+
+/// True if the struct of a type is a template over the type of its functions.
+bool is_over_functions(const BlockType& type) {
+  return type.struct_name.ends_with(over_functions);
+}
 
 /// Returns the members of a new block of a type, as text. Equal ones need not be written.
 std::map<std::string, std::string> defaults_of(const BlockType& type) {
   const AnyBlock fresh(type);
   Literals literals;
+  if (is_over_functions(type)) literals.begin_functions();
   std::map<std::string, std::string> defaults;
   for (const MemberSpec& member : type.members)
     defaults[member.member] = member.literal(fresh.get(), literals);
@@ -56,10 +59,23 @@ std::map<std::string, std::string> defaults_of(const BlockType& type) {
 
 }  // namespace
 
+std::string struct_of(const plan::Plan& plan, std::size_t block) {
+  const BlockType& type = plan.diagram.blocks[block].type();
+  std::string name =
+      type.struct_name.starts_with("stepwire::") ? type.struct_name.substr(10) : type.struct_name;
+  if (is_over_functions(type))
+    name.replace(name.size() - over_functions.size(), over_functions.size(), "<Code>");
+  return name;
+}
+
 Statements::Statements(const plan::Plan& plan, const PlaceNames& names,
                        const std::vector<plan::VariableBlock>& variable, const LanePlaces& lanes,
                        Literals& literals)
-    : plan_(plan), names_(names), lanes_(lanes), members_(plan.blocks.size()) {
+    : plan_(plan),
+      names_(names),
+      lanes_(lanes),
+      members_(plan.blocks.size()),
+      functions_(plan.blocks.size()) {
   std::map<std::string, std::map<std::string, std::string>> defaults;
   auto next = variable.begin();
   for (int index : plan.memory_order) {
@@ -69,6 +85,7 @@ Statements::Statements(const plan::Plan& plan, const PlaceNames& names,
     if (is_new) known->second = defaults_of(block.type());
     const bool varies = next != variable.end() && next->block == b;
     literals.vary(varies ? next->items : std::vector<bool>());
+    if (is_over_functions(block.type())) literals.begin_functions();
     for (const MemberSpec& member : block.type().members) {
       literals.name_tables(names.block(b) + "_" + member.member);
       const std::size_t varied = literals.varied();
@@ -76,12 +93,13 @@ Statements::Statements(const plan::Plan& plan, const PlaceNames& names,
       members_[b].push_back(
           {member.member, value, value == known->second[member.member], varied == literals.varied()});
     }
+    if (is_over_functions(block.type())) functions_[b] = literals.end_functions(names.block(b));
     if (varies) ++next;
   }
 }
 
 Statements::Pieces Statements::set_up(std::size_t block, const Places& places, bool complete) const {
-  Pieces pieces;
+  Pieces pieces{{declaration(block), "", "", -1, true}};
   for (const Member& member : members_[block])
     if (complete || !member.is_default)
       pieces.push_back({fmt::format("    b.{} = ", member.name), member.value, ";\n", -1, member.fixed});
@@ -90,6 +108,12 @@ Statements::Pieces Statements::set_up(std::size_t block, const Places& places, b
   bind_states(block, places, pieces);
   bind_rest(block, places, pieces);
   return pieces;
+}
+
+std::string Statements::declaration(std::size_t block) const {
+  const std::string text = fmt::format("    {} b;\n", struct_of(plan_, block));
+  return functions_[block].empty() ? text
+                                   : fmt::format("    using Code = formula::{};\n", functions_[block]) + text;
 }
 
 std::string Statements::in_lane(const std::string& numbers, std::size_t offset, const Places& places) const {
@@ -173,9 +197,8 @@ std::string Statements::call_text(std::size_t block, Phase phase, const std::str
                                                              phase == Phase::crossings ? "zero" : "");
   if (is_of_others(plan_.diagram.blocks[block].type().header))
     call = "    const FloatingPointState kept;\n" + call;
-  const std::string made = fmt::format("    {} b;\n", struct_of(plan_, block)) + fixed;
-  if (lanes_.lanes == 1 || !lanes(places).blocks[block]) return made + rest + call;
-  return made +
+  if (lanes_.lanes == 1 || !lanes(places).blocks[block]) return fixed + rest + call;
+  return fixed +
          fmt::format("    each_lane([&, &made = b]([[maybe_unused]] const int l) {{\n    {} b = made;\n",
                      struct_of(plan_, block)) +
          rest + call + "    });\n";

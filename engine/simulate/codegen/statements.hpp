@@ -55,15 +55,16 @@ class Statements {
     bool fixed = false;        ///< true for a member with the same value in each run
   };
   using Pieces = std::vector<Piece>;
-  /// Returns all statements between the declaration of a block and its call; `complete` includes members that
-  /// keep their defaults.
+  /// Returns all statements before the call of a block, first its declaration; `complete` includes members
+  /// that keep their defaults.
   Pieces set_up(std::size_t block, const Places& places, bool complete) const;
-  /// Returns the declaration of a block, its set-up (fixed members, and the rest) and its call. In lanes the
-  /// call is a loop over them.
+  /// Returns the set-up of a block (fixed pieces, and the rest) and its call. In lanes the call is a loop
+  /// over them.
   std::string call_text(std::size_t block, Phase phase, const std::string& fixed, const std::string& rest,
                         const Places& places = {}) const;
 
  private:
+  std::string declaration(std::size_t block) const;
   /// Returns "w", or its lane that has a number.
   std::string in_lane(const std::string& numbers, std::size_t offset, const Places& places) const;
   const LanePlaces& lanes(const Places& places) const { return places.lanes ? *places.lanes : lanes_; }
@@ -82,13 +83,14 @@ class Statements {
     bool is_default, fixed;
   };
   std::vector<std::vector<Member>> members_;  ///< of each block
+  std::vector<std::string> functions_;        ///< name of the type of a block's functions, or empty
 };
 
 /// Returns the phase that a kernel runs, which may differ from `otherwise` at instants.
 Phase phase_of(const BlockType& type, Kernel kernel, Phase otherwise);
 /// Returns the name of the function, "outputs".
 const char* function_of(Phase phase);
-/// Returns "Gain".
+/// Returns "Gain", or "ExpressionOf<Code>" for a block over the type of its functions.
 std::string struct_of(const plan::Plan& plan, std::size_t block);
 
 }  // namespace stepwire::codegen

@@ -19,9 +19,13 @@ std::string places_text(const plan::Plan& plan, const PlaceNames& names) {
 }
 
 std::string tables_text(const Literals& literals) {
-  const std::string tables = literals.tables();
-  if (tables.empty()) return "";
-  return "/// Lists of numbers that blocks read.\nnamespace table {\n" + tables + "}  // namespace table\n\n";
+  std::string text;
+  if (const std::string tables = literals.tables(); !tables.empty())
+    text +=
+        "/// Lists of numbers that blocks read.\nnamespace table {\n" + tables + "}  // namespace table\n\n";
+  if (const std::string functions = literals.functions(); !functions.empty())
+    text += "/// Formulas of blocks.\nnamespace formula {\n" + functions + "}  // namespace formula\n\n";
+  return text;
 }
 
 std::string time_text(const plan::Plan& plan, const std::string& tick) {

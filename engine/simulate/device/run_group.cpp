@@ -194,7 +194,7 @@ void RunGroup::take_out(std::size_t run) {
   const std::int32_t how = ends_[run] - 1;
   if (how < 0) return simulation.stand_at(tick_ - 1, values_of(run), true);
   simulation.stand_at(ticks_[run], values_of(run), how == plan::LaneTask::advanced);
-  if (how != plan::LaneTask::last) return;
+  if (how != plan::LaneTask::last && !simulation.has_stopped_between()) return;
   const std::int64_t before = ticks_[run] - 1;
   const bool ended_there = simulation.has_stopped() && simulation.time() == plan_.time_of(before);
   for (record::Recorder& recorder : *runs_[run].recorders) {

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "engine/model/plan/active.hpp"
+#include "engine/model/plan/run_ends.hpp"
 #include "engine/model/signal/diagnostic.hpp"
-#include "engine/simulate/run/health.hpp"
 
 namespace stepwire::run {
 
@@ -36,7 +36,12 @@ std::vector<bool> settled_numbers(const plan::Plan& plan) {
 }  // namespace
 
 CrossingLooks::CrossingLooks(BoundBlocks& blocks)
-    : plan_(blocks.plan()), blocks_(blocks), values_(blocks.values()), ends_(places_of_ends(plan_, false)) {
+    : plan_(blocks.plan()),
+      blocks_(blocks),
+      values_(blocks.values()),
+      ends_(plan::places_of_ends(plan_, false)),
+      faults_(plan::places_of_ends(plan_, true)),
+      may_stop_(plan::may_end_between(plan_)) {
   for (const std::size_t block : plan_.edges)
     edges_.push_back({plan_.diagram.blocks[block].type().run_next_edge, blocks.memory(block)});
   const std::vector<bool> settled = settled_numbers(plan_);
@@ -81,7 +86,8 @@ void CrossingLooks::find(const std::vector<Look>& looks, double* numbers) {
 bool CrossingLooks::stops() const {
   const double now = values_[plan::Layout::time];
   return (stop_margin_ && stop_margin_->stops(values_)) ||
-         std::ranges::any_of(ends_, [&](std::size_t place) { return values_[place] <= now; });
+         std::ranges::any_of(ends_, [&](std::size_t place) { return values_[place] <= now; }) ||
+         std::ranges::any_of(faults_, [&](std::size_t place) { return values_[place] == now; });
 }
 
 void CrossingLooks::find_all(double* numbers) const {

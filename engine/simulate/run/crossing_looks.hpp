@@ -31,9 +31,9 @@ class CrossingLooks {
   double next_edge() const {
     return edges_.empty() && ends_.empty() ? std::numeric_limits<double>::infinity() : earliest_edge();
   }
-  /// True once a located `stop_when` holds or a block has ended the run.
+  /// True once a located `stop_when` holds or a block has ended the run, or does so now with a fault.
   bool stops() const;
-  bool may_stop() const { return stop_margin_.has_value(); }
+  bool may_stop() const { return may_stop_; }
 
  private:
   /// Crossing functions of one block.
@@ -62,7 +62,9 @@ class CrossingLooks {
   std::vector<Edge> edges_;
   std::optional<StopMargin> stop_margin_;  ///< present where `stop_when` is located
   std::vector<std::size_t> ends_;          ///< places of diagnostics that end the run as `stop_when` does
-  bool stop_changes_ = false;              ///< true if find_changing() evaluates `stop_when`
+  std::vector<std::size_t> faults_;        ///< places of those that end it as a fault
+  bool may_stop_ = false;
+  bool stop_changes_ = false;  ///< true if find_changing() evaluates `stop_when`
 };
 
 }  // namespace stepwire::run

@@ -26,7 +26,7 @@ Drive::End Drive::run() {
     check_steps(last);
     if (last || !simulation_.healthy()) return end(End::finished);
     simulation_.advance();
-    if (!simulation_.healthy()) return end(End::finished);
+    if (!simulation_.healthy()) return end_by_fault();
     forget_row_of_end();
     if (simulation_.tick() % ticks_between_looks != 0) continue;
     if (look) look();
@@ -77,6 +77,11 @@ Flow Drive::show_tick() {
   if (simulation_.tick() != tick)
     for (record::Recorder& recorder : recorders_) recorder.go_back_to(simulation_.tick());
   return flow;
+}
+
+Drive::End Drive::end_by_fault() {
+  if (simulation_.has_stopped_between()) record(true);
+  return end(End::finished);
 }
 
 Drive::End Drive::end(End how) {

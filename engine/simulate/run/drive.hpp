@@ -54,6 +54,8 @@ class Drive : SideObserver {
   void check_steps(bool last);
   void forget_row_of_end();
   Flow show_tick();
+  /// Ends a run whose step has had a fault; at an event this instant has a row.
+  End end_by_fault();
   End end(End how);
 
   Executor& simulation_;

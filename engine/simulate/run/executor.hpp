@@ -95,8 +95,9 @@ class Executor {
   void prepare_checks() { probe_memory_.prepare(plan_); }
   /// False after a non-finite value, a failed step or a diagnostic that ends the run.
   bool healthy() const { return health_.fine(); }
-  /// True once the run has ended without a fault: by `stop_when` at an event between two ticks, or by a
-  /// block.
+  /// True once the run has ended at an event between two ticks, by `stop_when` or as a fault.
+  bool has_stopped_between() const { return *stopped_ != 0.0; }
+  /// The same, and where a block has ended the run without a fault.
   bool has_stopped() const { return *stopped_ != 0.0 || (health_.may_end() && health_.has_ended()); }
   bool finished() const { return workspace_.tick >= plan_.steps; }
   std::int64_t tick() const { return workspace_.tick; }

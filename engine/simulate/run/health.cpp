@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/model/plan/run_ends.hpp"
 #include "engine/model/signal/diagnostic.hpp"
 #include "engine/simulate/run/faults.hpp"
 #include "engine/simulate/run/finite.hpp"
@@ -39,25 +40,14 @@ RunFault fault_of(const plan::Plan& plan, std::size_t block, const std::string& 
   return {from.name, port, time, plan.diagram.fault(from.origin, subject, message)};
 }
 
-std::vector<std::size_t> places_of_ends(const plan::Plan& plan, bool as_fault) {
-  std::vector<std::size_t> places;
-  for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
-    const auto& specs = plan.diagram.blocks[b].type().diagnostics;
-    for (std::size_t n = 0; n < specs.size(); ++n)
-      if (specs[n].ends_run && specs[n].is_fault == as_fault)
-        places.push_back(plan.blocks[b].diagnostics[n].offset);
-  }
-  return places;
-}
-
 Health::Health(const BoundBlocks& blocks)
     : blocks_(blocks),
       plan_(blocks.plan()),
       values_(blocks.values()),
       checked_(plan::active_pieces(plan_, plan_.layout.signals,
                                    plan_.layout.derivatives + plan_.layout.state_count)),
-      ending_(places_of_ends(plan_, true)),
-      whole_ends_(places_of_ends(plan_, false)) {}
+      ending_(plan::places_of_ends(plan_, true)),
+      whole_ends_(plan::places_of_ends(plan_, false)) {}
 
 bool Health::is_raised(const std::vector<std::size_t>& places) const {
   return !places.empty() &&

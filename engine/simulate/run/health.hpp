@@ -12,9 +12,6 @@
 
 namespace stepwire::run {
 
-/// Returns the workspace places of diagnostics that end a run: as a fault, or as `stop_when` does.
-std::vector<std::size_t> places_of_ends(const plan::Plan& plan, bool as_fault);
-
 /// Health of a run: checks whether it may continue, and finds the fault that ended it.
 class Health {
  public:

@@ -5,6 +5,7 @@
 
 #include "engine/base/io/file.hpp"
 #include "engine/base/subprocess/process.hpp"
+#include "engine/model/plan/variable_blocks.hpp"
 #include "engine/simulate/codegen/compiler.hpp"
 #include "engine/simulate/codegen/library.hpp"
 #include "engine/simulate/codegen/program.hpp"
@@ -22,12 +23,42 @@ TEST_CASE("the loops over a block's elements are part of the step in compiled co
   const Scratch scratch;
   const std::string w1 = io::read_file(STEPWIRE_SOURCE_DIR "/bench/w1.yaml"), library = scratch.path("w1.so");
   const GeneratedProgram program = make_steps(plan_text(w1), {});
-  std::vector<std::string> flags = flags_for_this_machine(program.headers);
-  for (const std::string& flag : library_flags()) flags.push_back(flag);
-  REQUIRE(compiler.compile(scratch.file("w1.cpp", library_source(program)), library, flags, {}) == "");
+  REQUIRE(compiler.compile(scratch.file("w1.cpp", library_source(program)), library, flags_of(program), {}) ==
+          "");
   const auto symbols = subprocess::run_process({.command = {"nm", "-C", library}});
   REQUIRE(symbols.output.find("stepwire_advance") != std::string::npos);
   CHECK(symbols.output.find("::each<") == std::string::npos);
+}
+
+TEST_CASE("formulas are part of the loop over lanes, with functions for the lanes of a register") {
+  const Compiler compiler;
+  if (!compiler.found() || !compiler.is_gcc()) {
+    WARN("there is no GCC here; nothing was compiled");
+    return;
+  }
+  const plan::Plan plan = plan_text(R"yaml(step: 1 ms
+stop: 1 s
+solver: rk4
+parameters: {mu: 1}
+blocks:
+  x: {block: Integrator, u: v, initial: 1}
+  v: {block: Integrator, u: force, initial: 0}
+  force: {block: Expression, expression: "mu*(1 - x*x)*v - sin(x) + max(x, v, 0)", variables: [mu, x, v], u: [$mu, x, v]}
+record: [x]
+)yaml");
+  const diagram::Variation variation(plan.diagram, {"mu"});
+  const GeneratedProgram program =
+      make_lanes(plan, {plan::variable_blocks(plan, variation), variation.targets()}, 8);
+  const Scratch scratch;
+  const std::string library = scratch.path("lanes.so");
+  std::vector<std::string> flags = flags_of(program);
+  std::erase(flags, Compiler::native);
+  flags.push_back("-mavx512f");
+  REQUIRE(compiler.compile(scratch.file("lanes.cpp", library_source(program)), library, flags, {}) == "");
+  const auto code = subprocess::run_process({.command = {"objdump", "-dC", "--no-show-raw-insn", library}});
+  CHECK(code.output.find("Sleef_cinz_sind8") != std::string::npos);
+  CHECK(code.output.find("Sleef_cinz_sind2") == std::string::npos);
+  CHECK(code.output.find("formula::force::operator") == std::string::npos);
 }
 
 TEST_CASE("a loop over lanes calls elementary functions once for the lanes of a register") {

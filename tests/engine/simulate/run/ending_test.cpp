@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -239,6 +240,33 @@ record: [x, d]
 )");
   CHECK(column(run, "time").back() == Approx(0.55).epsilon(1e-9));
   CHECK(column(run, "d").back() == Approx(0.35).epsilon(1e-9));
+}
+
+TEST_CASE("an assertion that fails at a located event has its row, interpreted and with both sides") {
+  // x = t and d = 2 x where x reaches 0.35, within the step from 0.3 s.
+  for (const char* record :
+       {"[x, d]", "{instants: true, signals: [x, d]}", "{every: 0.4 s, signals: [x, d]}"}) {
+    INFO(record);
+    const RunResult result = result_of(R"(step: 0.1 s
+stop: 1 s
+solver: rk4
+events: locate
+blocks:
+  x: {block: Integrator, u: 1}
+  d: {block: Gain, gain: 2, u: x}
+  low: {block: Compare, operator: "<", u: x, to: 0.35}
+  a: {block: Assert, u: low}
+record: )" + std::string(record) + "\n");
+    REQUIRE(result.faults.size() == 1);
+    CHECK(result.faults[0].time == Approx(0.35).epsilon(1e-12));
+    const table::Table& rows = result.recordings[0].table;
+    CHECK(column(rows, "time").back() == result.faults[0].time);
+    CHECK(column(rows, "x").back() == Approx(0.35).epsilon(1e-12));
+    CHECK(column(rows, "d").back() == Approx(0.7).epsilon(1e-12));
+    const auto& times = column(rows, "time");
+    const std::ptrdiff_t sides = std::string(record).find("instants") == std::string::npos ? 1 : 2;
+    CHECK(std::ranges::count(times, times.back()) == sides);
+  }
 }
 
 }  // namespace stepwire::run
