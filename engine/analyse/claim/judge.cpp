@@ -183,8 +183,9 @@ Rows rows_of(const Claim& claim, const record::Recording& recording) {
 /// Returns the number of one run with at least one selected row. Throws Unjudged if it has none.
 double value_of_run(const Claim& claim, const Rows& rows, std::size_t run) {
   if (claim.reduction == Reduction::final) return rows.value[last_row(rows, run)];
-  return claim.reduction == Reduction::at ? value_at(claim, rows, run)
-                                          : reduce(claim.reduction, rows.of_run(run));
+  if (claim.reduction == Reduction::at) return value_at(claim, rows, run);
+  if (rows.starts.size() == 1) return reduce(claim.reduction, rows);
+  return reduce(claim.reduction, rows.of_run(run));
 }
 
 /// True if `where` selects at least one row of a run.

@@ -161,9 +161,9 @@ void Reducing::take(double value) {
   undefined_ = undefined_ || std::isnan(value);
   largest_ = all_ == 0 ? value : std::max(largest_, value);
   smallest_ = all_ == 0 ? value : std::min(smallest_, value);
-  sum_ += value;
-  square_sum_.add(value);
   ++all_;
+  if (reduction_ == Reduction::mean) sum_ += value;
+  if (reduction_ == Reduction::rms) square_sum_.add(value);
   if (reduction_ == Reduction::fraction && value != 0.0) ++counted_;
 }
 

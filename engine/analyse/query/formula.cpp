@@ -370,7 +370,11 @@ std::vector<double> evaluate(const Formula& formula, const record::Recording& re
     if (column == nullptr) throw std::invalid_argument(fmt::format("'{}' was not recorded", name));
     columns.push_back(column->values.data());
   }
-  std::vector<double> result(recording.table.rows()), values(columns.size());
+  const std::size_t rows = recording.table.rows();
+  const auto& variables = formula.expression.variables();
+  if (variables.size() == 1 && formula.expression.text() == variables[0])
+    return {columns[0], columns[0] + rows};
+  std::vector<double> result(rows), values(columns.size());
   for (std::size_t row = 0; row < result.size(); ++row) {
     for (std::size_t i = 0; i < columns.size(); ++i) values[i] = columns[i][row];
     result[row] = formula.expression(values);
