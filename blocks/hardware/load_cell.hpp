@@ -29,6 +29,7 @@ struct LoadCell {
   void configure(Configure& is);
   void prepare();
   void outputs() {
+    STEPWIRE_UNROLLED
     for (Index i = 0; i < 6; ++i)
       gauges[i] = std::clamp(strained(i) + offset[i] + deviation(i), -range, range);
   }
@@ -43,6 +44,7 @@ struct LoadCell {
  private:
   double strained(Index i) const {
     double sum = 0.0;
+    STEPWIRE_UNROLLED
     for (Index k = 0; k < 3; ++k) sum += response(i, k) * force[k] + response(i, k + 3) * torque[k];
     return sum;
   }

@@ -14,8 +14,10 @@ struct MinMax {
 
   void outputs() {
     const Index inputs = u.count();
+    STEPWIRE_UNROLLED
     for (Index k = 0; k < y.size(); ++k) {
       double best = u[0][k];
+      STEPWIRE_UNROLLED
       for (Index i = 1; i < inputs; ++i) best = better(u[i][k], best);
       y[k] = best;
     }

@@ -25,6 +25,7 @@ struct DrivenLinkage : LinkageCore {
     double energy = energy_of_pin(dimension, velocity);
     Balance<n> now;
     add_pin(now);
+    STEPWIRE_UNROLLED
     for (Index k = 0; k < links(); ++k) {
       const Link<n> is = link(dimension, k, position, velocity);
       write_link(k, is, energy);

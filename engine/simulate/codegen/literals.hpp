@@ -35,9 +35,6 @@ class Literals : public LiteralWriter {
   /// Between begin_functions() and end_functions(): "Code{2}", whose type has the functions of one block.
   std::string function(const std::string& expression) override;
 
-  /// Returns the count of variable numbers that have been written.
-  std::size_t varied() const { return count_; }
-
   /// Sets the name of the next table.
   void name_tables(std::string name) { name_ = std::move(name); }
   /// Returns the definitions of all tables so far.

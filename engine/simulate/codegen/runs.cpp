@@ -78,23 +78,22 @@ class Loop {
   }
 
   std::string text(Phase phase) {
-    std::string fixed, rest;
+    std::string set_up;
     for (std::size_t i = 0; i < set_ups_.front().size(); ++i) {
       const auto& piece = set_ups_.front()[i];
-      (piece.fixed ? fixed : rest) += piece.before + filling(i) + piece.after;
+      set_up += piece.before + filling(i) + piece.after;
     }
     std::string text = fmt::format("  // {} of {}: {} to {}\n", blocks_.size(), struct_of(plan_, blocks_[0]),
                                    comment_of(plan_, blocks_.front()), comment_of(plan_, blocks_.back()));
     if (!columns_.empty()) text += table();
     text += fmt::format("  for (int k = 0; k < {}; ++k) {{\n{}  }}\n", blocks_.size(),
-                        statements_.call_text(blocks_[0], phase, fixed, rest));
+                        statements_.call_text(blocks_[0], phase, set_up));
     return columns_.empty() ? text : "  {\n" + text + "  }\n";
   }
 
  private:
   static bool alike(const Statements::Piece& a, const Statements::Piece& b) {
-    if (a.before != b.before || a.after != b.after || (a.offset < 0) != (b.offset < 0) || a.fixed != b.fixed)
-      return false;
+    if (a.before != b.before || a.after != b.after || (a.offset < 0) != (b.offset < 0)) return false;
     return a.offset >= 0 || a.hole == b.hole ||
            (type_of_number(a.hole) == type_of_number(b.hole) && !type_of_number(a.hole).empty());
   }

@@ -88,10 +88,8 @@ Statements::Statements(const plan::Plan& plan, const PlaceNames& names,
     if (is_over_functions(block.type())) literals.begin_functions();
     for (const MemberSpec& member : block.type().members) {
       literals.name_tables(names.block(b) + "_" + member.member);
-      const std::size_t varied = literals.varied();
       const std::string value = member.literal(block.block.get(), literals);
-      members_[b].push_back(
-          {member.member, value, value == known->second[member.member], varied == literals.varied()});
+      members_[b].push_back({member.member, value, value == known->second[member.member]});
     }
     if (is_over_functions(block.type())) functions_[b] = literals.end_functions(names.block(b));
     if (varies) ++next;
@@ -99,10 +97,10 @@ Statements::Statements(const plan::Plan& plan, const PlaceNames& names,
 }
 
 Statements::Pieces Statements::set_up(std::size_t block, const Places& places, bool complete) const {
-  Pieces pieces{{declaration(block), "", "", -1, true}};
+  Pieces pieces{{declaration(block), "", ""}};
   for (const Member& member : members_[block])
     if (complete || !member.is_default)
-      pieces.push_back({fmt::format("    b.{} = ", member.name), member.value, ";\n", -1, member.fixed});
+      pieces.push_back({fmt::format("    b.{} = ", member.name), member.value, ";\n"});
   bind_inputs(block, places, pieces);
   bind_outputs(block, places, pieces);
   bind_states(block, places, pieces);
@@ -190,26 +188,23 @@ void Statements::bind_rest(std::size_t block, const Places& places, Pieces& piec
   }
 }
 
-std::string Statements::call_text(std::size_t block, Phase phase, const std::string& fixed,
-                                  const std::string& rest, const Places& places) const {
+std::string Statements::call_text(std::size_t block, Phase phase, const std::string& set_up,
+                                  const Places& places) const {
   std::string call = phase == Phase::next_edge ? "    edge = std::min(edge, b.next_edge());\n"
                                                : fmt::format("    b.{}({});\n", function_of(phase),
                                                              phase == Phase::crossings ? "zero" : "");
   if (is_of_others(plan_.diagram.blocks[block].type().header))
     call = "    const FloatingPointState kept;\n" + call;
-  if (lanes_.lanes == 1 || !lanes(places).blocks[block]) return fixed + rest + call;
-  return fixed +
-         fmt::format("    each_lane([&, &made = b]([[maybe_unused]] const int l) {{\n    {} b = made;\n",
-                     struct_of(plan_, block)) +
-         rest + call + "    });\n";
+  if (lanes_.lanes == 1 || !lanes(places).blocks[block]) return set_up + call;
+  return "    each_lane([&]([[maybe_unused]] const int l) {\n" + set_up + call + "    });\n";
 }
 
 std::string Statements::call(std::size_t block, Phase phase, const Places& places) const {
-  std::string fixed, rest;
+  std::string made;
   for (const Piece& piece : set_up(block, places, lanes_.lanes > 1))
-    (piece.fixed ? fixed : rest) += piece.before + piece.hole + piece.after;
-  return fmt::format("  {{  // {}\n", comment_of(plan_, block)) +
-         call_text(block, phase, fixed, rest, places) + "  }\n";
+    made += piece.before + piece.hole + piece.after;
+  return fmt::format("  {{  // {}\n", comment_of(plan_, block)) + call_text(block, phase, made, places) +
+         "  }\n";
 }
 
 }  // namespace stepwire::codegen

@@ -52,15 +52,13 @@ class Statements {
   struct Piece {
     std::string before, hole, after;
     std::int64_t offset = -1;  ///< place of the workspace, if the content is one
-    bool fixed = false;        ///< true for a member with the same value in each run
   };
   using Pieces = std::vector<Piece>;
   /// Returns all statements before the call of a block, first its declaration; `complete` includes members
   /// that keep their defaults.
   Pieces set_up(std::size_t block, const Places& places, bool complete) const;
-  /// Returns the set-up of a block (fixed pieces, and the rest) and its call. In lanes the call is a loop
-  /// over them.
-  std::string call_text(std::size_t block, Phase phase, const std::string& fixed, const std::string& rest,
+  /// Returns the set-up of a block and its call, in lanes as a loop over them.
+  std::string call_text(std::size_t block, Phase phase, const std::string& set_up,
                         const Places& places = {}) const;
 
  private:
@@ -80,7 +78,7 @@ class Statements {
   const LanePlaces& lanes_;
   struct Member {
     std::string name, value;
-    bool is_default, fixed;
+    bool is_default;
   };
   std::vector<std::vector<Member>> members_;  ///< of each block
   std::vector<std::string> functions_;        ///< name of the type of a block's functions, or empty
