@@ -59,7 +59,8 @@ typedef struct stepwire_driver {
   const char* doc;
   const stepwire_known_setting* settings; /* ends with a key of NULL */
 
-  /* Opens a device without moving anything; NULL on failure. */
+  /* Opens a device without moving anything; NULL on failure. A sentence on a value that makes no sense names its
+     setting in the words `the setting 'KEY'`, and is told as a fault of the rig file. */
   void* (*open)(const stepwire_setting* settings, size_t count, char* error, size_t size);
   /* Returns the number of channels, and their table, which lives until close. */
   size_t (*channels)(void* device, const stepwire_channel** table);

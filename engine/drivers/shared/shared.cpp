@@ -142,6 +142,7 @@ class SharedDevice {
       std::copy_n(last_.data(), last_.size(), values);
     if (beat != 0 && beat != seen_) {
       seen_ = beat;
+      ++changes_;
       changed_ = now();
     }
     age_ = now() - changed_;
@@ -158,7 +159,7 @@ class SharedDevice {
   void stop() {}
   void report(char* text, std::size_t size) const {
     std::snprintf(text, size, "%llu changes seen, the last one %.3f ms old",
-                  static_cast<unsigned long long>(seen_), static_cast<double>(age_) * 1e-6);
+                  static_cast<unsigned long long>(changes_), static_cast<double>(age_) * 1e-6);
   }
 
  private:
@@ -213,7 +214,7 @@ class SharedDevice {
   bool is_host_, watches_host_ = false;
   int writes_ = 0;
   std::int64_t stale_, changed_ = 0, age_ = 0;
-  std::uint64_t seen_ = 0;
+  std::uint64_t seen_ = 0, changes_ = 0;
   Segment segment_;
   Channels channels_;
   std::vector<double> safe_, last_;

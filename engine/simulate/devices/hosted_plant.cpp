@@ -116,6 +116,7 @@ PlantFault HostedPlant::fault_of(const std::string& text) const {
   const auto dots = times.find("..");
   fault.time = seconds_of(times.substr(0, dots), text);
   if (dots != std::string::npos) fault.end = seconds_of(times.substr(dots + 2), text);
+  if (fault.time < 0.0) refuse(text, "begins before the rig does; its time is 0 s or more");
   if (!(fault.time < fault.end)) refuse(text, "ends before it begins");
   if (kind == "unplug") return fault;
   fault.output = what.substr(colon + 1, equals - colon - 1);

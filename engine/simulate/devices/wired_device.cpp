@@ -33,6 +33,7 @@ void WiredDevice::read(double* inputs) noexcept {
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
     const InputWire& wire = inputs_[i];
     const double value = wire.scale * sensed_[wire.channel] + wire.offset;
+    healthy_ = healthy_ && std::isfinite(value);  // the watch names the channel
     filtered_[i] = begun_ ? filtered_[i] + wire.filter * (value - filtered_[i]) : value;
     inputs[wire.port] = wire.filter < 1.0 ? filtered_[i] : value;
   }

@@ -75,6 +75,7 @@ class Wirer {
     choose_guard();
     note_unwired();
     faults_.throw_if_any();
+    if (!devices_.failures.empty()) throw io::EnvironmentError(devices_.failures);
     return std::move(all_);
   }
 
@@ -106,8 +107,17 @@ class Wirer {
   }
   /// A device has the strictest use of its inputs.
   void use(std::size_t device, guard::InputUse how) { all_.uses[device] = std::max(all_.uses[device], how); }
+  /// Returns a channel's name in messages of a run: "inputs.force (rig.yaml:4, channel card.force)".
+  std::string told(const std::string& subject, const yaml::Mark& mark, const std::string& channel) const {
+    return fmt::format("{} ({}:{}, channel {})", subject, request_.file, mark.line, channel);
+  }
   std::string channel_name(std::size_t device, const guard::SurveyedChannel& channel) const {
     return request_.devices[device].name + "." + channel.name;
+  }
+
+  /// True where a device has not opened, or may not have since another one ended the process of the survey.
+  bool is_unknown(const guard::SurveyedDevice& device) const {
+    return !devices_.failures.empty() && device.inputs.empty() && device.outputs.empty();
   }
 
   std::optional<std::size_t> device_of(const std::string& name, const yaml::Mark& mark,
@@ -126,6 +136,7 @@ class Wirer {
     if (!index) return std::nullopt;
     const bool is_input = direction == STEPWIRE_INPUT;
     const guard::SurveyedDevice& answers = devices_.answers[*index];
+    if (is_unknown(answers)) return std::nullopt;
     const auto& table = is_input ? answers.inputs : answers.outputs;
     const std::size_t first = is_input ? first_[*index].input : first_[*index].output;
     for (std::size_t k = 0; k < table.size(); ++k)
@@ -177,12 +188,31 @@ class Wirer {
   double scale_of(const std::optional<PlacedNumber>& scale, const std::optional<Dimension>& to,
                   const Dimension& from, const yaml::Mark& mark, const std::string& subject) {
     if (scale) check_scale(*scale, subject);
-    if (scale && to) return si(scale, 1.0, *to / from, subject);
-    if (!scale && to && !(*to == from))
+    if (!to) return scale ? scale->quantity.value : 1.0;
+    if (scale) return scale_in(*scale, *to, from, subject + ".scale");
+    if (!(*to == from))
       fault(mark, subject,
             yaml::fault_text("is in {}, and its channel in {}; 'scale' leads from one to the other, in {}",
-                             unit::si_name(*to), unit::si_name(from), unit::si_name(*to / from)));
-    return scale ? scale->quantity.value : 1.0;
+                             unit::si_name(*to), unit::si_name(from), per(*to, from)));
+    return 1.0;
+  }
+
+  /// Returns a scale that leads from one dimension to the other.
+  double scale_in(const PlacedNumber& scale, const Dimension& to, const Dimension& from,
+                  const std::string& subject) {
+    const Dimension given = scale.quantity.dimension.value_or(Dimension{});
+    if (!(given == to / from))
+      fault(scale.mark, subject,
+            yaml::fault_text("has the unit {}; it must be in {}", unit::si_name(given), per(to, from)));
+    return scale.quantity.value;
+  }
+
+  /// Returns the unit of a quotient as a file writes it: "N/V".
+  static std::string per(const Dimension& to, const Dimension& from) {
+    const std::string name = unit::si_name(from);
+    if (name == "1") return unit::si_name(to);
+    return unit::si_name(to) + "/" +
+           (name.find_first_of(" /") == std::string::npos ? name : "(" + name + ")");
   }
 
   bool check_scale(const PlacedNumber& scale, const std::string& subject) {
@@ -196,6 +226,7 @@ class Wirer {
     const std::string subject = "inputs." + one.port;
     const auto port = port_of(one, in_, "input");
     const auto place = place_of(one.device, one.channel, STEPWIRE_INPUT, one.mark, subject);
+    if (port && !place) check_alone(subject, one.range, ".range", one.rate, one.scale, in_[*port].dimension);
     if (!port || !place) return;
     const auto unit = unit_of(one.unit, *place->channel, one.mark, subject);
     if (!unit) return;
@@ -211,16 +242,33 @@ class Wirer {
     const Dimension shown = dimension.value_or(of_scale.value_or(Dimension{}) * unit->dimension);
     all_.inputs.push_back({*port, place->index, line.scale, line.offset, filter, unit_name(shown)});
     shown_.push_back(shown);
+    note_filter(one);
+    guard::InputLimits& limits = all_.limits.inputs[place->index];
+    limits.name = told(subject, one.mark, limits.name);
+    if (!one.unit.empty()) limits.unit = one.unit;
+    use(place->device, one.stale == Stale::stop ? guard::InputUse::live : guard::InputUse::held);
+    limit_input(one, line, dimension, *place->channel, limits);
+  }
+
+  void note_filter(const InputRequest& one) {
     if (one.filter > 0.5 / period_)
       all_.notes.push_back(fmt::format(
           "the filter of input {} has no effect: {:.6g} Hz is above half the rate of the loop, {:.6g} Hz",
           one.port, one.filter, 0.5 / period_));
-    if (!one.unit.empty()) all_.limits.inputs[place->index].unit = one.unit;
-    use(place->device, one.stale == Stale::stop ? guard::InputUse::live : guard::InputUse::held);
-    limit_input(one, line, dimension, *place->channel, all_.limits.inputs[place->index]);
   }
 
-  /// Of two inputs of one channel the stricter limits hold.
+  /// Checks the numbers of a port whose device has not opened.
+  void check_alone(const std::string& subject, const std::optional<PlacedRange>& range, const char* key,
+                   const std::optional<PlacedNumber>& rate, const std::optional<PlacedNumber>& scale,
+                   const std::optional<Dimension>& dimension) {
+    double least = 0.0, most = 0.0;
+    if (range) set_range(*range, {}, dimension, subject + key, least, most);
+    rate_of(rate, dimension, subject);
+    if (scale) check_scale(*scale, subject);
+  }
+
+  /// Of two inputs of one channel the stricter limits hold, and those of the channel always: beyond them a
+  /// device has no values.
   void limit_input(const InputRequest& one, const Line& line, const std::optional<Dimension>& dimension,
                    const guard::SurveyedChannel& channel, guard::InputLimits& limits) {
     const std::string subject = "inputs." + one.port;
@@ -230,8 +278,8 @@ class Wirer {
       fault(one.range->least.mark, subject + ".range",
             yaml::fault_text("leads to {:.6g} to {:.6g}{}; the channel gives {:.6g} to {:.6g}", least, most,
                              behind_number(channel), channel.least, channel.most));
-    limits.least = std::max(limits.least, least);
-    limits.most = std::min(limits.most, most);
+    limits.least = std::max({limits.least, least, channel.least});
+    limits.most = std::min({limits.most, most, channel.most});
     limits.rate = std::min(limits.rate, rate_of(one.rate, dimension, subject) / std::abs(line.scale));
     const std::int64_t stuck = nanoseconds(one.stuck);
     if (stuck > 0) limits.stuck = limits.stuck > 0 ? std::min(limits.stuck, stuck) : stuck;
@@ -267,15 +315,15 @@ class Wirer {
     const std::string subject = "outputs." + one.port;
     const auto port = port_of(one, out_, "output");
     const auto place = place_of(one.device, one.channel, STEPWIRE_OUTPUT, one.mark, subject);
+    if (port && !place)
+      check_alone(subject, one.limits, ".limits", one.rate, one.scale, out_[*port].dimension);
     if (!port || !place || !one.limits) return;
     const auto unit = unit_of(one.unit, *place->channel, one.mark, subject);
     if (!unit) return;
     if (!taken_.insert(place->index).second)
       fault(one.mark, subject, yaml::fault_text("the channel '{}' has another output already", one.channel));
     const auto& dimension = out_[*port].dimension;
-    std::optional<Dimension> wanted;
-    if (dimension) wanted = unit->dimension / *dimension;
-    if (one.scale) si(one.scale, 1.0, wanted, subject + ".scale");
+    if (one.scale && dimension) scale_in(*one.scale, unit->dimension, *dimension, subject + ".scale");
     const double scale =
         one.scale ? one.scale->quantity.value : scale_of({}, dimension, unit->dimension, one.mark, subject);
     if (one.scale && !check_scale(*one.scale, subject)) return;
@@ -291,6 +339,7 @@ class Wirer {
     const std::string subject = "outputs." + one.port;
     const auto& dimension = out_[port].dimension;
     guard::OutputLimits& limits = all_.limits.outputs[place.index];
+    limits.name = told(subject, one.mark, limits.name);
     if (!one.unit.empty()) limits.unit = one.unit;
     const Line back{1.0 / line.scale, -line.offset / line.scale};  // from the channel to the port
     const bool is_set =
@@ -376,7 +425,7 @@ class Wirer {
   void find_clock() {
     if (request_.clock.empty()) return;
     all_.clock = device_of(request_.clock, request_.clock_mark, "clock");
-    if (all_.clock && !devices_.answers[*all_.clock].is_clock)
+    if (all_.clock && !is_unknown(devices_.answers[*all_.clock]) && !devices_.answers[*all_.clock].is_clock)
       fault(request_.clock_mark, "clock",
             yaml::fault_text("the driver of '{}' has no clock; leave 'clock' out", request_.clock));
   }
@@ -439,6 +488,18 @@ void check_settings(const IoRequest& request, const DeviceRequest& device,
                   {}});
 }
 
+/// Returns the place of the setting whose value a driver refuses; std::nullopt for another failure. See open
+/// in driver.h.
+std::optional<yaml::Mark> mark_of_refused(const DeviceRequest& device, const std::string& failure) {
+  constexpr std::string_view words = "the setting '";
+  const std::size_t at = failure.find(words);
+  if (at == std::string::npos) return std::nullopt;
+  const std::size_t first = at + words.size();
+  const std::string key = failure.substr(first, failure.find('\'', first) - first);
+  const auto given = std::ranges::find(device.settings, key, &DeviceRequest::Setting::key);
+  return given == device.settings.end() ? device.mark : given->mark;
+}
+
 /// Returns the devices with the files of their drivers; a driver without a file is a fault.
 std::vector<guard::DeviceSettings> devices_with_files(const IoRequest& request, yaml::Faults& faults) {
   std::vector<guard::DeviceSettings> all;
@@ -489,11 +550,16 @@ KnownDevices known_devices(const IoRequest& request, const std::atomic<bool>* in
   KnownDevices known{device_settings(request, interrupt), {}};
   known.answers = answers_of(known.settings, guard::SurveyDepth::open,
                              guard::longest_survey + nanoseconds(request.wait), interrupt);
-  std::string failures;
-  for (std::size_t i = 0; i < known.answers.size(); ++i)
-    if (const std::string& failure = known.answers[i].failure; !failure.empty())
-      failures += (failures.empty() ? "" : "\n") + known.settings[i].name + ": " + failure;
-  if (!failures.empty()) throw io::EnvironmentError(failures);
+  yaml::Faults faults;
+  for (std::size_t i = 0; i < known.answers.size(); ++i) {
+    const std::string& failure = known.answers[i].failure;
+    if (failure.empty()) continue;
+    if (const auto mark = mark_of_refused(request.devices[i], failure))
+      faults.add({{request.file, *mark}, "devices." + request.devices[i].name, failure, {}});
+    else
+      known.failures += (known.failures.empty() ? "" : "\n") + known.settings[i].name + ": " + failure;
+  }
+  faults.throw_if_any();
   return known;
 }
 

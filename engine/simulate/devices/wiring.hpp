@@ -51,10 +51,11 @@ std::vector<guard::DeviceSettings> device_settings(const IoRequest& request,
 struct KnownDevices {
   std::vector<guard::DeviceSettings> settings;
   std::vector<guard::SurveyedDevice> answers;
+  std::string failures;  ///< of devices that do not open, with device, driver and reason
 };
 
-/// Opens the devices of a request in a process of its own, and closes them. Throws as device_settings(), and
-/// EnvironmentError with the device, its driver and the reason where one does not open.
+/// Opens the devices of a request in a process of its own, and closes them. Throws as device_settings(), also
+/// where a driver refuses the value of a setting.
 KnownDevices known_devices(const IoRequest& request, const std::atomic<bool>* interrupt = nullptr);
 
 /// Ports of a loop.
@@ -68,7 +69,7 @@ struct Ports {
 };
 
 /// Connects ports with the channels of devices. `period` is that of the loop [s]. Throws yaml::Error with all
-/// faults.
+/// faults, and EnvironmentError without one where a device does not open.
 Wiring wire(const IoRequest& request, const Ports& ports, const KnownDevices& devices, double period);
 
 }  // namespace stepwire::devices

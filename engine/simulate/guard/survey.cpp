@@ -200,8 +200,7 @@ class SurveyProcess {
     if (progress.step == Step::done) answers_through(reader, all);
     if (progress.step == Step::done && reader.whole() && all.size() == devices_.size()) return all;
     if (progress.step == Step::none || progress.step >= Step::done || progress.device >= devices_.size())
-      throw io::EnvironmentError("the process for drivers has ended before it called one: " +
-                                 end_text(limit));
+      throw io::EnvironmentError("no driver was called: the process for drivers " + end_text(limit));
     all.assign(devices_.size(), {});
     const bool is_slow = change_.si_pid == 0 && progress.step == Step::open;
     all[progress.device].failure = fmt::format(

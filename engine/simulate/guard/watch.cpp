@@ -41,11 +41,13 @@ Watch::Watch(WatchLimits limits) : limits_(std::move(limits)) {
   held_ = !limits_.dead_man;
 }
 
-void Watch::trip(Cause cause, std::size_t place, double value) noexcept {
+void Watch::trip(Cause cause, std::size_t place, double value, double from, double allowed) noexcept {
   if (!tripped()) {
     cause_ = cause;
     place_ = place;
     value_ = value;
+    from_ = from;
+    allowed_ = allowed;
   }
   hold_safe();
 }
@@ -84,7 +86,8 @@ void Watch::check_input(std::size_t i, double value, std::int64_t now) noexcept 
   if (limit.stuck > 0 && now - changed_[i] > limit.stuck) return trip(Cause::input_stuck, i, value);
   if (!sensed_) return;
   const double seconds = seconds_of(std::max(limits_.period, now - last_sensed_));
-  if (std::abs(value - inputs_[i]) > rate_margin * limit.rate * seconds) trip(Cause::input_jump, i, value);
+  if (std::abs(value - inputs_[i]) > rate_margin * limit.rate * seconds)
+    trip(Cause::input_jump, i, value, inputs_[i], limit.rate * seconds);
 }
 
 /// Of a time longer than a second the share of the last second counts.
@@ -111,7 +114,7 @@ bool Watch::accepts(std::size_t i, double value, double seconds) noexcept {
     cause = Cause::beyond;
   else if (std::abs(value - commands_[i]) > rate_margin * limit.rate * seconds + rounding * std::abs(value))
     cause = Cause::too_fast;
-  if (cause != Cause::none) trip(cause, i, value);
+  if (cause != Cause::none) trip(cause, i, value, commands_[i], limit.rate * seconds);
   return cause == Cause::none;
 }
 
@@ -157,14 +160,20 @@ std::string Watch::text_of_output() const {
   const std::string value = fmt::format("output {} was to become {}", one.name, in_unit(value_, one.unit));
   switch (cause_) {
     case Cause::not_finite:
-      return value;
+      return value + "; a command must be finite";
     case Cause::beyond:
-      return value + ", which is out of its limits";
+      return value + fmt::format("; its limits are {:.6g} and {}", one.least, in_unit(one.most, one.unit));
     case Cause::too_fast:
-      return value + ", faster than its rate allows";
+      return value + text_of_change(one.unit);
     default:
       return "";
   }
+}
+
+/// Returns the end of a sentence on a change that is too large.
+std::string Watch::text_of_change(const std::string& unit) const {
+  return fmt::format(" from {}; its rate allows a change of {}", in_unit(from_, unit),
+                     in_unit(allowed_, unit));
 }
 
 /// Returns the reason of a trip by an input; "" for another cause.
@@ -172,15 +181,18 @@ std::string Watch::text_of_input() const {
   if (place_ >= limits_.inputs.size()) return "";
   const InputLimits& one = limits_.inputs[place_];
   const std::string value = in_unit(value_, one.unit);
+  constexpr const char* look = "look at the sensor and its wire";
   switch (cause_) {
     case Cause::input_bad:
-      return fmt::format("input {} became {}", one.name, value);
+      return fmt::format("input {} became {}; {}", one.name, value, look);
     case Cause::input_range:
-      return fmt::format("input {} is {}, out of its range", one.name, value);
+      return fmt::format("input {} is {}; its range is {:.6g} to {}", one.name, value, one.least,
+                         in_unit(one.most, one.unit));
     case Cause::input_jump:
-      return fmt::format("input {} jumped to {}, faster than its rate allows", one.name, value);
+      return fmt::format("input {} jumped to {}", one.name, value) + text_of_change(one.unit);
     case Cause::input_stuck:
-      return fmt::format("input {} has not changed from {}; it is stuck", one.name, value);
+      return fmt::format("input {} has been {} for more than {:.4g} s; {}", one.name, value,
+                         seconds_of(one.stuck), look);
     case Cause::released:
       return fmt::format("the dead-man input {} was released", one.name);
     default:
@@ -198,7 +210,8 @@ std::string Watch::text() const {
       return fmt::format("the loop has written nothing for {:.4g} ms; it may for {:.4g} ms", 1e3 * value_,
                          1e3 * seconds_of(limits_.late));
     case Cause::power:
-      return fmt::format("the power {} was {:.4g} J in a second", limits_.powers[place_].name, value_);
+      return fmt::format("the power {} was {:.4g} J in a second; its limit is {:.4g} J",
+                         limits_.powers[place_].name, value_, limits_.powers[place_].most);
     case Cause::stale:
       return text_of_device() + " has no new values";
     case Cause::device:

@@ -15,7 +15,7 @@ inline constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 /// Limits of one output channel, in the unit of the channel.
 struct OutputLimits {
-  std::string name;
+  std::string name;  ///< name in messages; for a wired channel with the place in the rig file
   double safe = 0.0;
   double least = -no_limit, most = no_limit;
   double rate = no_limit;  ///< largest change in a second
@@ -24,7 +24,7 @@ struct OutputLimits {
 
 /// Limits of one input channel, in the unit of the channel.
 struct InputLimits {
-  std::string name;
+  std::string name;  ///< as in OutputLimits
   double least = -no_limit, most = no_limit;
   double rate = no_limit;  ///< largest change in a second, such as a speed, or of a jump of an encoder
   std::int64_t stuck = 0;  ///< time after which an unchanged value is a fault [ns]; 0: never
@@ -117,13 +117,16 @@ class Watch {
   const WatchLimits& limits() const { return limits_; }
 
  private:
-  void trip(Cause cause, std::size_t place = 0, double value = 0.0) noexcept;
+  /// `from` and `allowed` are the value before a change that is too large, and the largest change.
+  void trip(Cause cause, std::size_t place = 0, double value = 0.0, double from = 0.0,
+            double allowed = 0.0) noexcept;
   void check_input(std::size_t i, double value, std::int64_t now) noexcept;
   void check_powers(std::int64_t now, const double* inputs) noexcept;
   bool accepts(std::size_t i, double value, double seconds) noexcept;
   double ramp_share(std::int64_t now) const noexcept;
   void hold_safe() noexcept;
   std::string text_of_output() const;
+  std::string text_of_change(const std::string& unit) const;
   std::string text_of_device() const;
   std::string text_of_input() const;
 
@@ -135,7 +138,7 @@ class Watch {
   bool commanded_ = false, sensed_ = false, held_ = false;  ///< held_: the dead-man input was above once
   Cause cause_ = Cause::none;
   std::size_t place_ = 0;  ///< of the channel, limit of energy or device
-  double value_ = 0.0;
+  double value_ = 0.0, from_ = 0.0, allowed_ = 0.0;
 };
 
 }  // namespace stepwire::guard

@@ -235,7 +235,7 @@ TEST_CASE("a force out of its range trips the guard, which the loop reports") {
   while (one.rig.step(5.0) != safe && steps < soon) ++steps;
   CHECK(steps < soon);
   CHECK(one.loop->end() == 3);
-  CHECK_THAT(one.errors(), Contains("input rig.force is 5 N, out of its range"));
+  CHECK_THAT(one.errors(), Contains("input inputs.force (rig.yaml:2, channel rig.force) is 5 N; its range is -4 to 4 N"));
 }
 
 TEST_CASE("a rig that offers nothing new ends the loop") {

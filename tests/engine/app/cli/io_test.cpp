@@ -198,7 +198,10 @@ TEST_CASE("a sensor of the rig that becomes no number ends the controller") {
                          pair.folder.path(""));
   const Done done = pair.control();
   CHECK(done.code == 3);
-  CHECK_THAT(done.err, Contains("input rig.place became nan"));
+  CHECK_THAT(
+      done.err,
+      Contains("input inputs.place (rig.yaml:2, channel rig.place) became nan m; look at the sensor") &&
+          !Contains("solver"));
 }
 
 TEST_CASE("what is asked of a rig wrongly is refused with what would be right") {
@@ -208,6 +211,7 @@ TEST_CASE("what is asked of a rig wrongly is refused with what would be right") 
            {{"--noise", "place=1N"}, "is not in m, the unit of place"},
            {{"--fault", "bend:place@1s"}, "is no fault; such as stuck:force@2s"},
            {{"--fault", "unplug@2s..1s"}, "ends before it begins"},
+           {{"--fault", "nan:place@-1s"}, "begins before the rig does; its time is 0 s or more"},
            {{"--fault", "unplug@2s..soon"}, "'soon' is no time, such as '2 s'"},
            {{"--latency", "2"}, "must be a time"}}) {
     const Done done = run_program(pair.folder, pair.rig(options));

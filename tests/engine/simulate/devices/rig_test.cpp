@@ -130,7 +130,8 @@ TEST_CASE("a value that is not finite ends the use of the devices at their safe 
   one.write(std::nan(""));
   CHECK_FALSE(one.rig->device().healthy());
   one.write(0.5);
-  CHECK_THAT(one.rig->trouble(), Contains("card.drive was to become nan"));
+  CHECK_THAT(one.rig->trouble(),
+             Contains("rig.yaml:3, channel card.drive) was to become nan V; a command must be finite"));
   CHECK(one.written("drive") == std::vector{0.2, 1.0, 0.2, 0.2, 0.2});
 }
 
@@ -198,6 +199,58 @@ TEST_CASE("a device that gives no value in time is named") {
   }
 }
 
+TEST_CASE("a value that a driver refuses is a fault of the file at its setting") {
+  const Scratch folder;
+  const plan::Plan plan = plan_text(diagram_yaml);
+  const std::string path = folder.file("rig.yaml", R"(devices:
+  card: {driver: shared, name: rig, role: guest}
+  line: {driver: udp, listen: 9001, stale: soon}
+)");
+  try {
+    Rig(path, plan, 0.01);
+    FAIL("the rig is taken");
+  } catch (const yaml::Error& error) {
+    CHECK_THAT(error.what(),
+               Contains("rig.yaml:2:37: devices.card: driver shared: the setting 'role' is one of") &&
+                   Contains("rig.yaml:3:37: devices.line: driver udp: the setting 'stale' is no"));
+  }
+}
+
+TEST_CASE("a device that does not open hides no fault of its file") {
+  const plan::Plan plan = plan_text(diagram_yaml);
+  const auto rig_with = [&](const std::string& inputs) {
+    const Scratch folder;
+    Rig(folder.file("rig.yaml", "devices: {card: {driver: shared, name: never-there}}\ninputs:\n" + inputs),
+        plan, 0.01);
+  };
+  CHECK_THROWS_WITH(rig_with("  forse: {device: card, channel: f}\n"
+                             "  force: {device: card, channel: f, range: [5 N, -5 N], rate: 0 N/s}\n"),
+                    Contains("3:3: forse: the diagram has no input 'forse'") &&
+                        Contains("inputs.force.range: does not rise") &&
+                        Contains("inputs.force.rate: must be above 0") && !Contains("shared memory"));
+  CHECK_THROWS_AS(rig_with("  force: {device: card, channel: f}\n"), io::EnvironmentError);
+  CHECK_THROWS_WITH(rig_with("  force: {device: card, channel: f}\n"),
+                    Contains("card: driver shared: there is no shared memory"));
+}
+
+TEST_CASE("the range of a channel limits its input, and a range of the file within it") {
+  const Scratch folder;
+  const plan::Plan plan = plan_text(diagram_yaml);
+  guard::SurveyedDevice answer;
+  answer.inputs.push_back({"volt", "V", -10.0, 10.0});
+  const auto limits = [&](const std::string& more) {
+    const IoRequest request =
+        read_io(folder.file("rig.yaml",
+                            "devices: {card: {driver: file}}\ninputs: {force: {device: card, "
+                            "channel: volt, scale: 2 N/V" +
+                                more + "}}\n"));
+    const Wiring wiring = wire(request, Ports::of(plan), {{{"card", "file", {}, {}}}, {answer}, ""}, 0.01);
+    return std::pair(wiring.limits.inputs[0].least, wiring.limits.inputs[0].most);
+  };
+  CHECK(limits("") == std::pair(-10.0, 10.0));
+  CHECK(limits(", range: [-4 N, 40 N]") == std::pair(-2.0, 10.0));
+}
+
 TEST_CASE("the faults of a rig file have their places, all at once") {
   Opened one(R"(inputs:
   forse: {device: card, channel: volt}
@@ -216,8 +269,8 @@ clock: card
        {":4:3: forse: the diagram has no input 'forse'; did you mean 'force'?",
         ":5:3: inputs.force: the device 'card' has no input 'volts'; did you mean 'volt'?",
         ":6:3: inputs.arm.1: there is no device 'crad'; did you mean 'card'?",
-        ":7:3: inputs.arm.2: is in rad, and its channel in V; 'scale' leads from one to the other, in 1/V",
-        "outputs.current.scale: has the unit V/N; it must be in", "outputs.current.limits: does not rise",
+        ":7:3: inputs.arm.2: is in rad, and its channel in V; 'scale' leads from one to the other, in rad/V",
+        "outputs.current.scale: has the unit V/N; it must be in V/A", "outputs.current.limits: does not rise",
         "outputs.current.rate: has the unit A; it must be in A/s",
         "outputs.angle.1: has a safe value out of its limits",
         "dead_man: the device 'card' has no input 'button'", "clock: the driver of 'card' has no clock"})

@@ -66,11 +66,14 @@ TEST_CASE("each fault of a command or an input trips at its own step, with the s
   } rows[] = {
       {[&](Fed& fed) { fed.step(nan); }, Cause::not_finite, "output coil was to become nan"},
       {[&](Fed& fed) { fed.step(-inf); }, Cause::not_finite, "output coil was to become -inf"},
-      {[](Fed& fed) { fed.step(1.001); }, Cause::beyond, "output coil was to become 1.001, which is out of"},
-      {[](Fed& fed) { fed.step(0.601); }, Cause::too_fast, "faster than its rate allows"},
+      {[](Fed& fed) { fed.step(1.001); }, Cause::beyond,
+       "output coil was to become 1.001; its limits are -1 and 1"},
+      {[](Fed& fed) { fed.step(0.601); }, Cause::too_fast,
+       "output coil was to become 0.601 from 0.4; its rate allows a change of 0.2"},
       {[&](Fed& fed) { fed.step(0.4, nan); }, Cause::input_bad, "input force became nan"},
-      {[](Fed& fed) { fed.step(0.4, 50.1); }, Cause::input_range, "input force is 50.1, out of its range"},
-      {[](Fed& fed) { fed.step(0.4, 11.1); }, Cause::input_jump, "input force jumped to 11.1"},
+      {[](Fed& fed) { fed.step(0.4, 50.1); }, Cause::input_range,
+       "input force is 50.1; its range is -50 to 50"},
+      {[](Fed& fed) { fed.step(0.4, 11.1); }, Cause::input_jump, "input force jumped to 11.1 from"},
   };
   for (const auto& row : rows) {
     Fed fed;
