@@ -113,8 +113,7 @@ void Loop::step(std::int64_t woke) {
   groups_.before_tick(*simulation_);
   simulation_->evaluate();
   if (simulation_->healthy()) {
-    write_outputs();
-    count_written(k);
+    serve_outputs(k);
     go_on(wall);
   } else if (recorder_) {
     recorder_->record_inputs(simulation_->tick(), inputs_.data());  // they may cause the fault
@@ -155,11 +154,22 @@ bool Loop::read_inputs(std::int64_t began) {
   return true;
 }
 
+/// A loop that catches up gives a device no burst of commands: of deadlines that have passed, one command in
+/// a period at most, and at last the newest.
+void Loop::serve_outputs(std::int64_t k) {
+  const std::int64_t now = clock_.now();
+  const bool is_passed = deadlines_.at(k + 1) <= now && options_.overrun.kind == Overrun::Kind::catch_up;
+  if (is_passed && now - written_at_ < deadlines_.at(k + 1) - deadlines_.at(k)) return deadlines_.served(now);
+  write_outputs();
+  count_written(k);
+}
+
 void Loop::write_outputs() {
   for (std::size_t i = 0; i < outputs_.size(); ++i) outputs_[i] = simulation_->values()[output_offsets_[i]];
   const std::int64_t began = clock_.now();
   device_.write(outputs_.data());
-  measurements_.wrote_device(clock_.now() - began);
+  written_at_ = clock_.now();
+  measurements_.wrote_device(written_at_ - began);
 }
 
 /// Counts the outputs for deadline k and for the dropped deadlines before it, which have waited for them too.

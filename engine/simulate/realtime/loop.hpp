@@ -85,6 +85,7 @@ class Loop {
   void go_on(double wall);
   bool read_inputs(std::int64_t began);
   bool is_healthy();
+  void serve_outputs(std::int64_t k);
   void write_outputs();
   void count_written(std::int64_t k);
   bool may_tick();
@@ -110,6 +111,7 @@ class Loop {
   std::vector<std::optional<double>> safe_;  ///< One for each number of outputs_.
   std::optional<std::int64_t> began_;        ///< Time of the first deadline [ns].
   std::int64_t unwritten_ = 0;               ///< First deadline without outputs.
+  std::int64_t written_at_ = 0;              ///< Time of the last outputs.
   std::optional<End> end_;
 };
 

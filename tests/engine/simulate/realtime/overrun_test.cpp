@@ -61,6 +61,18 @@ TEST_CASE("catch-up: the same step makes two deadlines late, and no tick is left
   CHECK(rows[7][1] == Approx(rows[7][3]));  // diagram time is the clock's again
 }
 
+TEST_CASE("catch-up: a device gets no burst of commands, and the newest one at last") {
+  LoopRig rig(counting_yaml, options_of(12, Overrun::Kind::catch_up));
+  rig.clock.late_after[3] = 27 * ms / 5;  // of deadline 3, until 8.4 ms: 3 to 7 have passed
+  rig.loop.serve(12);
+  CHECK(rig.loop.steps() == 12);
+  CHECK(rig.loop.deadlines().late() == 5);
+  CHECK(rig.device.written == std::vector<double>{1, 2, 3, 4, 9, 10, 11, 12, -1});
+  CHECK(rig.device.written_at == std::vector<std::int64_t>{0, ms, 2 * ms, 42 * ms / 5, 42 * ms / 5, 9 * ms,
+                                                           10 * ms, 11 * ms, 11 * ms});
+  CHECK(rig.loop.measurements().response().count() == 12);
+}
+
 TEST_CASE("a thread that oversleeps counts at each deadline that it slept through, not only at one") {
   LoopRig rig(counting_yaml, options_of(6));
   rig.clock.late_after[1] = 16 * ms / 5;  // of deadline 1, until 4.2 ms
