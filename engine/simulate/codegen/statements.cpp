@@ -91,7 +91,7 @@ Statements::Statements(const plan::Plan& plan, const PlaceNames& names,
       const std::string value = member.literal(block.block.get(), literals);
       members_[b].push_back({member.member, value, value == known->second[member.member]});
     }
-    if (is_over_functions(block.type())) functions_[b] = literals.end_functions(names.block(b));
+    if (is_over_functions(block.type())) functions_[b] = literals.end_functions(names.block(b) + "_code");
     if (varies) ++next;
   }
 }

@@ -161,6 +161,20 @@ TEST_CASE(
              Contains("b.scaled_alpha = Numbers::view(numbers + static_cast<Index>(numbers[4]), 2);"));
 }
 
+TEST_CASE("formulas have one type for equal ones, whose name is no word of C++ or of the library") {
+  const std::string program = program_of(R"yaml(blocks:
+  t: {block: Clock}
+  new: {block: Expression, expression: "2*u1 + 1", u: t}
+  std: {block: Expression, expression: "sin(u1)", u: t}
+  twin: {block: Expression, expression: "u1*2 + 1", u: t}
+  same: {block: Expression, expression: "2*u1 + 1", u: t}
+)yaml");
+  for (const char* type : {"struct new_code {", "struct std_code {", "struct twin_code {"})
+    CHECK_THAT(program, Contains(type));
+  CHECK_THAT(program, Contains("return 2.0 * v[0] + 1.0;") && !Contains("same_code"));
+  CHECK(count_of(program, "using Code = formula::new_code;") == 2);
+}
+
 TEST_CASE("the same diagram gives the same text") {
   CHECK(program_of(gains(3)) == program_of(gains(3)));
 }
